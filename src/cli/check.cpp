@@ -1,4 +1,4 @@
-// kadr check: finds every fault of every program, in all its channels, and counts them.
+// kadr check: finds all faults of programs, in all their channels, and counts the faults.
 
 #include <fmt/core.h>
 
@@ -29,9 +29,9 @@ struct Count {
   std::size_t faults = 0, warnings = 0, advices = 0;
 };
 
-/// Collects the findings, and prints them at once or at the end.
+/// Stores the findings, and prints them at once or at the end.
 struct Report {
-  std::FILE* text = nullptr;  // stream to which findings are printed at once, for --format text; else nullptr
+  std::FILE* text = nullptr;  // stream on which findings are printed at once for --format text; nullptr for other formats
   std::vector<Finding> findings;
   std::optional<Baseline> baseline;
   Count count;
@@ -43,7 +43,7 @@ struct Report {
   }
 };
 
-/// Collects the findings in one file, without those in the baseline.
+/// Collects the findings in one file. Findings that the baseline contains are omitted.
 class Collector {
  public:
   Collector(const Job& job, const Options& options, Report& report, Found& found)
@@ -70,7 +70,7 @@ class Collector {
   Found& found_;
 };
 
-enum class Checked { clean, faulty, unreadable, unknown };  // unknown: not a program of a control that Kadr supports
+enum class Checked { clean, faulty, unreadable, unknown };  // unknown: the file is no program of a control that Kadr supports
 
 Checked check_program(const Job& job, const RunLimits& limits, ProgramCheck& check) {
   auto program = open_program(job);
@@ -81,8 +81,8 @@ Checked check_program(const Job& job, const RunLimits& limits, ProgramCheck& che
   return Checked::clean;
 }
 
-/// Checks the file; on a tape with several programs all of them, unless --program names one.
-///   basis  data for the checklist that all files share
+/// Checks the file. If a tape contains several programs, all of them are checked, unless --program names one.
+///   basis  data for the checklist that are the same for all files
 Checked check_file(const Options& options, const GuessedControls& controls, const std::string& file, ChecklistBasis basis, Report& report) {
   const auto control = controls.of(file);
   if (!control) return Checked::unreadable;
@@ -91,9 +91,11 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   if (!job) return Checked::unreadable;
   const std::size_t programs = options.program == 0 ? count_programs(*job) : 1;
   RunLimits limits = options.limits;
-  const bool one_pass = limits.restarts == RunLimits{}.restarts;  // true unless --max-passes requests several runs of each program
+  // true: each program runs once, since --max-passes does not request several runs
+  const bool one_pass = limits.restarts == RunLimits{}.restarts;
   if (one_pass) limits.restarts = 0;
-  const bool only_program = programs == 1 && options.program == 0;  // false if the program is one of several on a tape
+  // true: the file contains no other program, so its tools file and set-up belong to this program only
+  const bool only_program = programs == 1 && options.program == 0;
   if (!basis.tools) basis.tools = tool_table_next_to(file);
   basis.own_tools = only_program && (basis.own_tools || (basis.tools && basis.tools->kind == ToolTable::Kind::own));
   basis.own_setup = only_program && basis.own_setup;
@@ -116,7 +118,7 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   return std::max(worst, faulty ? Checked::faulty : Checked::clean);
 }
 
-/// Prints "3 programs checked: 1 error, 0 warnings."
+/// Prints the totals, e.g. "3 programs checked: 1 error, 0 warnings."
 void print_count(const Options& options, std::size_t files, Count count, std::size_t known) {
   if (options.format != "text" || options.quiet) return;
   const auto [faults, warnings, advices] = count;
@@ -133,9 +135,9 @@ void print_count(const Options& options, std::size_t files, Count count, std::si
   type_out("\n");
 }
 
-/// Reads the baseline if --baseline names one; prints errors.
+/// Reads the baseline if --baseline names a file. If an error occurs, it is printed and the function returns false.
 bool read_baseline(const Options& options, Report& report) {
-  constexpr std::size_t longest = std::size_t{256} << 20;  // size of the longest baseline file, bytes
+  constexpr std::size_t longest = std::size_t{256} << 20;  // greatest size of a baseline file, bytes
   if (options.baseline.empty()) return true;
   const auto text = read_small(options.baseline, longest);
   if (!text) return false;
@@ -148,7 +150,7 @@ bool read_baseline(const Options& options, Report& report) {
   return true;
 }
 
-/// Reads the tools file if one is named; prints errors.
+/// Reads the tools file if the user has named one. If an error occurs, it is printed and the function returns false.
 bool read_table(const Options& options, std::shared_ptr<const ToolTable>& to) {
   if (options.table.empty()) return true;
   auto tools = load_tools(options.table);
@@ -168,12 +170,12 @@ Outputs outputs_of(const Options& options, const ProgramFiles& programs) {
   return outputs;
 }
 
-/// Writes all findings as json or sarif.
+/// Writes all findings in the format json or sarif.
 void write_findings(std::FILE* to, const Options& options, const Report& report, int status) {
   Invocation invocation{KADR_VERSION, status, {}};
   for (const Unreadable& file : report.unreadable) invocation.unreadable.emplace_back(file.path, file.reason);
   const std::string text = options.format == "json" ? findings_json(report.findings) : findings_sarif(report.findings, invocation);
-  write_data(to, text);  // Outputs::keep() reports whether all was written
+  write_data(to, text);  // the result need not be checked here, since Outputs::keep() reports write errors
 }
 
 }  // namespace
@@ -204,15 +206,17 @@ int check(const Options& given) {
     const bool named = std::find(options.programs.begin(), options.programs.end(), file) != options.programs.end();
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);
-    if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // a folder may contain files that are no programs
+    // an unknown file is an error only if the user has named it, since a folder may also contain other files
+    if (result == Checked::unreadable || (result == Checked::unknown && named)) {
       report.unreadable.push_back({file, translated(texts::check_command::cannot_be_checked)});
       status = wrong_usage;
     }
     if (interrupted()) return interrupted_status();
-    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // standard output is a pipe that its reader has closed
+    // the reader of the pipe has closed standard output, so nobody reads further findings
+    if (report.text != nullptr && std::ferror(report.text) != 0) break;
   }
   if (report.text == nullptr) write_findings(output->get(), options, report, status);
-  if (checked == 0 && status == ok) {  // no file of the named folders is a program
+  if (checked == 0 && status == ok) {  // the named folders contain no program, which is an error
     complain(translated(texts::check_command::no_program_of_known_control));
     status = wrong_usage;
   }

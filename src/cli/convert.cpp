@@ -1,4 +1,5 @@
-// kadr convert: converts a program of one control to another and proves that both do the same. Tested by tests/convert.py.
+// kadr convert: converts a program of one control to a program of another control, and proves that both do the same. The command is tested
+// by tests/convert.py.
 
 #include <fmt/core.h>
 
@@ -26,9 +27,10 @@
 namespace kadr::cli {
 namespace {
 
-constexpr double least_apart = 1e-5, most_apart = 10;  // limits of --tolerance, mm
+constexpr double least_apart = 1e-5, most_apart = 10;  // limits of the value of --tolerance, mm
 
-constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};  // names of the enum ConvertedAs, in its order
+// names of the methods of conversion, in the order of the enum ConvertedAs
+constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};
 
 class ConvertCommand {
  public:
@@ -140,9 +142,9 @@ class ConvertCommand {
     return ok;
   }
 
-  /// Returns the first part of the text, which is long enough for guessing the control.
+  /// Returns the first part of the text, which is sufficient for guessing the control.
   static std::string beginning_of(const ConversionTry& one) {
-    constexpr std::size_t looked_at = std::size_t{256} << 10;  // greatest length of the returned text, bytes
+    constexpr std::size_t looked_at = std::size_t{256} << 10;  // greatest length of the first part, bytes
     std::string text;
     (void)each_piece(*one.text, [&](std::string_view piece) {
       text += piece.substr(0, looked_at - text.size());
@@ -152,7 +154,7 @@ class ConvertCommand {
   }
 
   /// Writes the converted program in its encoding.
-  ///   alarms  bad_encoding
+  ///   alarms  bad_encoding, if the encoding lacks a character
   Status write(const ConversionTry& one, bool unproven) {
     std::FILE* const file = outputs_.stream("--out");
     const auto put = [&](std::string_view text) -> Status {
@@ -163,7 +165,8 @@ class ConvertCommand {
     };
     const auto in_letters = [&](std::string_view text) { return unproven ? transliterated(text, letters_).text : std::string(text); };
     const std::string mark = unproven ? in_letters(unproven_mark()) : std::string();
-    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // a tape's leader and trailer enclose the text
+    // on a punched tape, a leader and a trailer must enclose the whole text
+    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));
     Status status = put(mark);
     (void)each_piece(*one.text, [&](std::string_view piece) {
       if (status) status = put(in_letters(piece));
@@ -180,7 +183,7 @@ class ConvertCommand {
       say(fmt::format("  {}\n", translated(texts::convert_command::written_out, job_->file, lines, why_written_out(out, sides))));
     }
   }
-  /// Prints why the first `count` methods of conversion were not used. Methods with the same reason share a line.
+  /// Prints why the first `count` methods of conversion were not used. Methods with the same reason are printed in one line.
   void print_reasons(const Converted& made, std::size_t count, const ConversionSides& sides) const {
     std::vector<ConversionRefusal> whys;
     for (std::size_t i = 0; i < count; ++i) {
@@ -200,7 +203,8 @@ class ConvertCommand {
     }
   }
 
-  /// Returns where a conversion failed: "flange.nc:12 | 14: " is line 12 of the original program and line 14 of the written one.
+  /// Returns the location where a conversion failed. For example, "flange.nc:12 | 14: " is line 12 of the original program and line 14 of
+  /// the converted program.
   std::string place_of(const ConversionRefusal& why) const {
     if (why.at.line == 0 && why.written_line == 0) return {};
     if (why.at.line == 0) return translated(texts::convert_command::line_of_written, why.written_line, why.written_text) + ": ";
@@ -213,7 +217,7 @@ class ConvertCommand {
   Outputs outputs_;
   std::optional<Job> job_;
   std::shared_ptr<const ControlDef> to_;
-  WrittenLetters letters_;  // the letters (encoding) in which the converted program is written
+  WrittenLetters letters_;  // letters (encoding) of the converted program
 };
 
 }  // namespace

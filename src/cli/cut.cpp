@@ -1,4 +1,4 @@
-// kadr cut: executes a program on a blank, and reports what remains and what collides.
+// kadr cut: executes a program on a blank, and reports the remaining stock and the collisions.
 
 #include <fmt/core.h>
 
@@ -30,9 +30,10 @@ namespace kadr::cli {
 namespace {
 
 constexpr double bytes_of_mb = 1 << 20;
-constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // allowed depth of a gouge, mm; error of a point, in cell sizes: docs/stock.md
+// permitted depth of a gouge, mm; position error of a surface point as a fraction of the cell size (docs/stock.md)
+constexpr double allowed = 0.01, allowed_of_cell = 0.1;
 
-/// Returns the output files of the command, not opened yet.
+/// Returns the output files of the command. They are not open yet.
 Outputs outputs_of(const CutOptions& options, const Job& job) {
   Outputs outputs(language(options.run));
   outputs.reads(job.file);
@@ -58,15 +59,15 @@ PartColour colour_of(const std::string& word) {
                                : PartColour::tool;
 }
 
-/// The state after the program was executed.
+/// The state after the execution of the program.
 struct Cut {
   const Surface& surface;
   const PartComparison& held;
   const CutRun& run;
-  const Stock& stock;  // the stock whose surface is `surface`
+  const Stock& stock;  // the stock to which `surface` belongs
 };
 
-/// Draws the picture if --plot requests one. Returns an error sentence if that fails.
+/// Draws the picture if --plot requests one. Returns an error sentence if the picture cannot be drawn.
 tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, const Outputs& outputs, const Cut& cut,
                                      const CutResult& result) {
   if (options.run.plot.empty()) return {};
@@ -97,7 +98,7 @@ bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, 
   return outputs.keep();
 }
 
-/// Checks that each result can be written in the requested format; prints an error if not.
+/// Checks that all results can be written in the requested formats. Prints an error and returns false otherwise.
 bool can_write(const CutOptions& options) {
   if (!can_write_meshes(options)) return false;
   const std::string fault = options.run.plot.empty() ? "" : page_fault(options.run.plot);
@@ -105,7 +106,8 @@ bool can_write(const CutOptions& options) {
   return fault.empty();
 }
 
-/// After the program was executed, prints the numbers, compares the part and writes the files. Returns the exit status.
+/// Prints the numbers, compares the result with the target part, and writes the files. To be called after the execution of the program.
+/// Returns the exit status.
 int print_results(const CutOptions& options, const Job& job, const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part,
                   Outputs& outputs) {
   const Stock* const window = run.cutting().window();
@@ -129,7 +131,8 @@ int print_results(const CutOptions& options, const Job& job, const CutJob& cut_j
   return run.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
 }
 
-/// Returns the collision watch over the machine's solid bodies, nullptr if the machine has none; nullopt after printing an error.
+/// Returns the collision check of the machine's solid bodies; nullptr if the machine has no bodies. Returns nullopt after printing an
+/// error.
 std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options, const Session& session, const CutJob& cut) {
   std::vector<std::string> notes;
   auto watch =

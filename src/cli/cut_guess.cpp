@@ -1,4 +1,4 @@
-// Guesses blank and tools for kadr cut. Used by cli/cut; tested by tests/run_cut.py.
+// Guesses blank and tools for kadr cut. This file is used by cli/cut and tested by tests/run_cut.py.
 
 #include "cli/cut_guess.h"
 
@@ -26,10 +26,11 @@ OpenedProgram opened_of(const Job& job, const RunLimits& limits) {
   return opened;
 }
 
-/// Returns proposals for the tools of the program, with the data of the tools file if one is named.
+/// Returns proposals for the tools of the program. If the user has named a tools file, they contain its data.
 std::vector<ProposedTool> tools_of(const CutOptions& options, const ProgramRun& run) {
   if (options.tools.empty() || options.tools == guess_word) return proposed_tools(run, nullptr);
-  auto library = load_tools(options.tools);  // errors in the file are reported later, when it is read for cutting
+  // an error in the file is not reported here, since it is reported when the file is read for cutting
+  auto library = load_tools(options.tools);
   const KnownTools file{options.tools, library ? std::move(*library) : ToolLibrary()};
   return proposed_tools(run, &file);
 }

@@ -1,4 +1,4 @@
-// Loads blank, fixtures, tools and target part. Used by cli/cut.
+// Loads blank, fixtures, tools and target part. This file is used by cli/cut.
 
 #include "cli/cut_job.h"
 
@@ -21,8 +21,8 @@ namespace {
 
 constexpr double bytes_per_mb = 1 << 20;
 
-/// Reads the value of --until. Returns a time ("12.5s") in seconds. A line number is stored in `line`; then, or if the text is empty, the
-/// function returns 1e300, which means no time limit. Returns nullopt if the text is neither.
+/// Reads the value of --until. For a time ("12.5s") the function returns the seconds. For a line number it stores the line in `line` and
+/// returns 1e300, which means that there is no time limit. An empty text also returns 1e300, and any other text returns nullopt.
 std::optional<double> seconds_of(const std::string& text, std::string& line) {
   if (text.empty()) return 1e300;
   if (!text.ends_with('s')) {
@@ -35,7 +35,7 @@ std::optional<double> seconds_of(const std::string& text, std::string& line) {
   return seconds;
 }
 
-/// Reads a solid body described on the command line; prints errors.
+/// Reads a solid that the command line describes. If an error occurs, it is printed and the function returns nullptr.
 std::shared_ptr<const Blank> named_body(const char* option, const std::string& text, double most) {
   const auto named = body_of(text, most);
   if (!named) {
@@ -46,7 +46,7 @@ std::shared_ptr<const Blank> named_body(const char* option, const std::string& t
   return named->body;
 }
 
-/// Reads the target part if --part names one; prints errors.
+/// Reads the target part if --part names its file. If an error occurs, it is printed and the function returns false.
 bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   if (options.part.empty()) {
     const char* const lonely = options.allow >= 0                  ? "--allow"
@@ -69,8 +69,8 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   return true;
 }
 
-/// Determines the window of --window, and the cell sizes of the window and of the whole blank. --resolution is the cell size of the window;
-/// without a window, that of the blank. Prints errors.
+/// Determines the window from --window, and the cell sizes of the window and of the whole blank. --resolution is the cell size of the
+/// window or, without a window, of the blank. If an error occurs, it is printed and the function returns false.
 bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, double most, CutJob& job) {
   std::optional<Box3> window;
   if (!options.window.empty()) {
@@ -92,7 +92,7 @@ bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, d
   return true;
 }
 
-/// Chooses the cell size and creates the material within the memory limit; prints errors.
+/// Chooses the cell size and creates the stock within the memory limit. If an error occurs, it is printed and the function returns false.
 bool find_material(const CutOptions& options, const std::optional<Mesh>& part, CutJob& job) {
   const double most = options.max_memory * bytes_per_mb;
   job.blank = named_body("--stock", options.stock, most);
@@ -108,7 +108,8 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
   return false;
 }
 
-/// Reads the tools before the material is created, since the cell size depends on them. Guessed tools are already loaded. Prints errors.
+/// Reads the tools, unless they were guessed before. The tools are read before the stock is created, since the cell size depends on them.
+/// If an error occurs, it is printed and the function returns false.
 bool find_tools(const CutOptions& options, CutJob& job) {
   if (options.tools == guess_word) return true;
   auto tools = load_tools(options.tools);

@@ -1,5 +1,5 @@
 #pragma once
-// Loads what kadr cut needs from its options: blank, fixtures, tools, target part. Used by cli/cut.
+// Loads what kadr cut needs according to its options: blank, fixtures, tools, target part. This file is used by cli/cut.
 
 #include <optional>
 
@@ -10,12 +10,12 @@
 
 namespace kadr::cli {
 
-/// Loads everything that does not come from the program and its set-up; prints errors.
-///   options  `run.to` is set to the line that --until names
-///   part     is set to the target part if --part names one
+/// Loads everything that does not come from the program and its set-up. If an error occurs, it is printed and the function returns false.
+///   options  `run.to` receives the line that --until names
+///   part     receives the target part if --part names its file
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
 
-/// Finds the number of the work system that --stock-zero names; prints errors.
+/// Finds the number of the work offset that --stock-zero names. If an error occurs, it is printed and the function returns false.
 bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint16_t>& system);
 
 }  // namespace kadr::cli

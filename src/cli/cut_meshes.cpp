@@ -1,4 +1,4 @@
-// Writes a surface as STL, 3MF or PLY. Used by cli/cut.
+// Writes the surface of a cut part as STL, 3MF or PLY. This file is used by cli/cut.
 
 #include "cli/cut_meshes.h"
 
@@ -19,8 +19,8 @@
 namespace kadr::cli {
 namespace {
 
-constexpr double mesh_mb = 1 << 20;      // bytes of one megabyte
-constexpr double bytes_of_surface = 20;  // bytes per triangle of the surface
+constexpr double mesh_mb = 1 << 20;      // number of bytes in one megabyte
+constexpr double bytes_of_surface = 20;  // number of bytes that a triangle of the surface needs
 
 bool has_ending(const std::string& name, std::string_view ending) { return in_small_letters(name).ends_with(ending); }
 
@@ -36,8 +36,8 @@ bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
   return fault.empty();
 }
 
-/// Writes the simplified mesh of the surface to the file. Prints an error if that fails, or if it needs more memory than --max-memory
-/// allows.
+/// Simplifies the mesh of the surface and writes it to the file. Prints an error and returns false if the mesh cannot be written, or if
+/// simplification needs more memory than --max-memory permits.
 bool write_simplified(const CutOptions& options, const Surface& surface, const Cutting& cutting, std::FILE* file, CutResult& result) {
   const std::size_t triangles = surface.triangle_count(), in_window = cutting.window() != nullptr ? cutting.window()->bytes() : 0;
   const double bytes = double(cutting.stock().bytes() + in_window) + double(triangles) * bytes_of_surface + bytes_of_simplifying(triangles);

@@ -1,5 +1,5 @@
 #pragma once
-// Writes the surface meshes of kadr cut: --out, --simplify, --deviation. Used by cli/cut.
+// Writes the surface meshes of kadr cut for the options --out, --simplify and --deviation. This file is used by cli/cut.
 
 #include "cli/job/outputs.h"
 #include "cli/options/options.h"
@@ -10,12 +10,12 @@
 
 namespace kadr::cli {
 
-/// Returns true if the meshes can be written in the formats that the file names select; prints an error if not.
+/// True if the meshes can be written in the formats that the file names select. Prints an error otherwise.
 bool can_write_meshes(const CutOptions& options);
 
-/// Writes the meshes into the open files; prints errors.
-///   surface  surface of the part after the cut; of its window, if --window names one
-///   result   its member `simplified` is set
+/// Writes the meshes to the open files. If an error occurs, it is printed and the function returns false.
+///   surface  surface of the part after the cut; if --window names a window, the surface in the window
+///   result   its member `simplified` receives the result of the simplification
 bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held,
                   const Cutting& cutting, CutResult& result);
 

@@ -1,4 +1,5 @@
-// kadr debug: executes a program step by step, by commands on standard input, one per line. Tested by tests/debug.py.
+// kadr debug: executes a program step by step. The commands come from standard input, one per line. The command is tested by
+// tests/debug.py.
 
 #include "texts/debug.h"
 
@@ -21,7 +22,7 @@
 namespace kadr::cli {
 namespace {
 
-/// A command of the debugger: its first word, and the rest of the line.
+/// A command of the debugger: the first word of the line, and the rest of the line.
 struct Said {
   std::string word, rest;
 };
@@ -36,7 +37,7 @@ Said split(const std::string& line) {
   return {line.substr(begin, end - begin), after};
 }
 
-/// Returns the text as a whole number; `otherwise` if the text is empty; nullopt if the text is not a whole number.
+/// Returns the text as a whole number. Returns `otherwise` if the text is empty, and nullopt if the text is no whole number.
 std::optional<std::uint32_t> count_of(const std::string& text, std::uint32_t otherwise) {
   if (text.empty()) return otherwise;
   if (text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
@@ -64,7 +65,7 @@ class Debugger : public PartOfProgram {
     const bool asks = ::isatty(STDIN_FILENO) != 0;
     for (std::string line; !quit_ && !interrupted();) {
       if (asks) type_out("(kadr) ");
-      if (std::fflush(stdout) != 0 || !std::getline(std::cin, line)) break;  // output is closed, or there are no more commands
+      if (std::fflush(stdout) != 0 || !std::getline(std::cin, line)) break;  // the output is closed, or the input contains no more commands
       obey(split(line));
     }
     if (state_ == Session::State::held) (void)session_->stop_here();
@@ -76,11 +77,12 @@ class Debugger : public PartOfProgram {
   void obey(const Said& said) {
     using How = Stepping::How;
     const auto& [word, rest] = said;
-    if (word.empty() || word[0] == '#') return;  // a script may contain comments
+    if (word.empty() || word[0] == '#') return;  // a script of commands may contain comments
     if (word == "step" || word == "s") return move(How::block, rest);
     if (word == "next" || word == "n") return move(How::over, rest);
     if (word == "finish" || word == "f") return move(How::out, "");
-    if (word == "continue" || word == "c" || word == "run" || word == "r") return go_on();  // `run` is gdb's command to start
+    // `run` is also accepted, since gdb starts a program with this word
+    if (word == "continue" || word == "c" || word == "run" || word == "r") return go_on();
     if (word == "until" || word == "u") return until(rest);
     if (word == "back") return back(rest);
     if (word == "break" || word == "b") return add_break(rest);
@@ -106,7 +108,7 @@ class Debugger : public PartOfProgram {
     return false;
   }
 
-  /// Saves the state of the session before a command, so that back() can restore that state.
+  /// Stores the state of the session before a command. back() can then restore that state.
   void keep() {
     constexpr std::size_t most = 200;
     if (auto now = stepping().snapshot()) kept_.push_back(std::move(*now));
@@ -130,7 +132,7 @@ class Debugger : public PartOfProgram {
     show();
   }
 
-  /// Reads LINE or LINE:PASS; prints an error and returns nullopt if it is wrong.
+  /// Reads a text of the form LINE or LINE:PASS. Prints an error and returns nullopt if the text has another form.
   std::optional<StopPoint> target_of(const std::string& rest) const {
     const std::size_t colon = rest.find(':');
     const auto line = count_of(rest.substr(0, colon), 0);
@@ -158,10 +160,11 @@ class Debugger : public PartOfProgram {
     if (!target || !is_held()) return;
     if (!session_->control().search_rules()) return type_out("{}\n", translated(texts::debug::no_block_search));
     keep();
-    if (first_)  // a block search starts at the beginning of the program
+    if (first_)  // the control's block search starts at the beginning of the program, so the state there is restored
       if (const Status restored = stepping().restore(*first_); !restored) return tell(restored.error(), "");
     print_search(*session_, stepping(), *target, job_->lang);
-    state_ = stepping().next() ? Session::State::held : session_->go_on();  // once the program has ended, go_on() returns why
+    // after the end of the program, go_on() returns how the program ended
+    state_ = stepping().next() ? Session::State::held : session_->go_on();
     show();
   }
 
@@ -267,7 +270,7 @@ class Debugger : public PartOfProgram {
     show();
   }
 
-  /// Prints the position and the watched expressions.
+  /// Prints the present position and the values of the watched expressions.
   void show() {
     if (interrupted()) return;
     if (stepping().hit() != 0) type_out("{}\n", translated(texts::debug::breakpoint, stepping().hit()));
@@ -278,7 +281,7 @@ class Debugger : public PartOfProgram {
 
   void wrong(const std::string& text) const { type_out("{}\n", translated(texts::debug::not_understood, text)); }
 
-  /// Prints an alarm about the text that the user typed.
+  /// Prints an alarm about the text that the user has typed.
   void tell(const Alarm& alarm, const std::string& typed) const {
     AlarmReport report{alarm, translated(texts::debug::command), typed, {}, {}, {}};
     report.origin.line = 1;
@@ -288,10 +291,10 @@ class Debugger : public PartOfProgram {
 
   Session* session_ = nullptr;
   const Job* job_ = nullptr;
-  Restart begins_;  // position and modes before the first block
+  Restart begins_;  // position and modes before the first block of the program
   const bool begins_inside_;
   Session::State state_ = Session::State::held;
-  std::optional<Stepping::Memory> first_;  // snapshot of the run before the first block
+  std::optional<Stepping::Memory> first_;  // snapshot of the run before the first block of the program
   std::deque<Stepping::Memory> kept_;
   std::map<std::size_t, std::string> watches_;
   bool quit_ = false, finished_ = false;

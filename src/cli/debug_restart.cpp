@@ -1,4 +1,4 @@
-// Prints what the debugger reports about continuing in mid-program. Used by cli/debug; tested by tests/debug.py.
+// Prints the answers of the debugger about a start in mid-program. This file is used by cli/debug and tested by tests/debug.py.
 
 #include "cli/debug_restart.h"
 
@@ -26,7 +26,8 @@ void list(const std::string& title, const std::vector<BlockSearch::Code>& codes)
 }  // namespace
 
 void print_restart(Session& session, const Stepping& stepping, const Restart& begins, double clearance, Lang lang) {
-  constexpr double above = 2, feed = 100;  // height above the restart position where the last motion begins, mm; its feed, mm/min
+  // height above the restart position below which the last motion is at feed, mm; that feed, mm/min
+  constexpr double above = 2, feed = 100;
   const auto restart = restart_here(session, stepping);
   if (!restart) return;
   std::vector<InForce> wanted;

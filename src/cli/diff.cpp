@@ -1,4 +1,4 @@
-// kadr diff: compares what two programs do, in words and as a picture. Tested by tests/run_diff.py and tests/diff_plot.py.
+// kadr diff: compares what two programs do, in words and as a picture. The command is tested by tests/run_diff.py and tests/diff_plot.py.
 
 #include <fmt/core.h>
 
@@ -24,11 +24,11 @@
 namespace kadr::cli {
 namespace {
 
-constexpr double least_tolerance = 1e-5, max_tolerance = 10;  // mm
-constexpr std::size_t shown = 20;                             // greatest number of differences printed, without --all
+constexpr double least_tolerance = 1e-5, max_tolerance = 10;  // limits of the value of --tolerance, mm
+constexpr std::size_t shown = 20;                             // greatest number of differences that are printed without --all
 constexpr std::size_t max_shown = 100'000, most_of_line = 100;
 
-/// One of the two programs, with what is needed to run it, and its text.
+/// One of the two programs: its text, and what is needed to run it.
 struct Side {
   std::string name;
   std::optional<Job> job;
@@ -44,7 +44,7 @@ Options options_of(const DiffOptions& o, bool b) {
   return options;
 }
 
-/// Opens a session of one program; prints errors.
+/// Opens a session for one program. If an error occurs, it is printed and the function returns nullptr.
 std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   side.name = options.programs.front();
   side.job = make_job(options, side.name);
@@ -59,9 +59,9 @@ std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   return session;
 }
 
-using Names = std::array<std::string, 2>;  // names of the two programs
+using Names = std::array<std::string, 2>;  // the names of the two programs
 
-/// Returns the location of a difference in one of the programs: "part.nc:5-7".
+/// Returns the location of a difference in one of the programs, e.g. "part.nc:5-7".
 std::string place(const std::string& name, const CourseSpot& from, const CourseSpot& to) {
   std::string text = fmt::format("{}:{}", from.file.empty() ? name : from.file, from.origin.line);
   if (to.origin.line > from.origin.line + 1 && to.file == from.file) text += fmt::format("-{}", to.origin.line - 1);
@@ -80,8 +80,8 @@ std::string places(const Names& names, const CourseDifference& d) {
 }
 
 struct Showing {
-  std::size_t most;  // greatest number of differences to print
-  bool numbered;     // each difference is printed with its number in the picture
+  std::size_t most;  // greatest number of differences that are printed
+  bool numbered;     // true: each difference is printed with its number in the picture
   Lang lang;
 };
 
@@ -125,14 +125,14 @@ CompareRules rules_of(const DiffOptions& o, const ControlDef& of_b, DifferencePl
   return rules;
 }
 
-/// Returns the files that both programs have called.
+/// Returns the names of the files that both programs have called.
 std::vector<std::string> files_of(const Comparison& made) {
   std::vector<std::string> files = made.read_a;
   files.insert(files.end(), made.read_b.begin(), made.read_b.end());
   return files;
 }
 
-/// Returns the output files of the command, not opened yet.
+/// Returns the output files of the command. They are not open yet.
 Outputs outputs_of_diff(const DiffOptions& o, const Side& a, const Side& b) {
   Outputs outputs(language(o.both));
   for (const Side* const side : {&a, &b}) outputs.reads(side->name), outputs.reads(side->job->setup_file);
@@ -146,10 +146,10 @@ struct Drawing {
   DifferencePlot& plot;
   const ResultFile& file;
   Lang lang;
-  bool all;  // show the numbers of all differences, not only the first ones
+  bool all;  // true: the picture shows the numbers of all differences; false: only the first ones
 };
 
-/// Draws the comparison; prints errors.
+/// Draws the comparison. If an error occurs, it is printed and the function returns false.
 bool draw(const Drawing& to, const Side& a, const Side& b, const Comparison& made) {
   const Lang lang = to.lang;
   const auto control = [lang](const Side& side) { return lang == Lang::ru ? side.job->def->name.ru : side.job->def->name.en; };

@@ -1,4 +1,4 @@
-// kadr explain, kadr controls: print the rows of the control files.
+// kadr explain, kadr controls: these commands print the rows of the control files.
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ Lang language_named(const std::string& lang) {
   return language(options);
 }
 
-/// Returns docs/setup.md: one page for all controls.
+/// Returns the text of docs/setup.md, which is one page for all controls.
 std::string setup_page_of_all(Lang lang) {
   std::vector<ControlDef> all;
   for (const std::string& id : built_in_controls())
@@ -31,7 +31,8 @@ std::string setup_page_of_all(Lang lang) {
   return setup_page(controls, lang);
 }
 
-/// Returns the ids of the built-in controls that have the code. The control `not_this`, which lacks the code, is left out.
+/// Returns the ids of the built-in controls that have the code. The control `not_this` is omitted, since the user has already asked about
+/// it.
 std::vector<std::string> controls_with(const std::string& code, const std::string& not_this, Lang lang) {
   std::vector<std::string> ids;
   for (const std::string& id : built_in_controls()) {
@@ -43,7 +44,7 @@ std::vector<std::string> controls_with(const std::string& code, const std::strin
   return ids;
 }
 
-/// Returns "no code … 'G5.1'; nct has it; did you mean G4, G9?".
+/// Returns a message about an unknown code, e.g. "no code … 'G5.1'; nct has it; did you mean G4, G9?".
 std::string unknown_code(const ControlDef& def, const std::string& code, Lang lang) {
   std::string text = translated_in(lang, texts::explain_command::unknown_code, def.id, code);
   if (const auto ids = controls_with(code, def.id, lang); !ids.empty())
@@ -53,9 +54,10 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
   return text;
 }
 
-/// Prints what all built-in controls state about a code, an alarm or words; controls with the same text are grouped.
+/// Prints the texts of all built-in controls about a code, an alarm or words. Controls with the same text are printed together.
 int explain_everywhere(const std::string& what, const std::string& refusal, Lang lang) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // each text, and the controls to which it applies
+  // pairs of a text and the ids of the controls to which the text applies
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;
   const std::vector<std::string> all = built_in_controls();
   for (const std::string& id : all) {
     const auto def = load_control(id);

@@ -1,4 +1,4 @@
-// kadr machines: lists the built-in machine profiles, or describes one of them.
+// kadr machines: lists the built-in machine profiles, or describes one of the profiles.
 
 #include <fmt/core.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 std::string name_of(const MachineProfile& machine) { return thread_language() == Lang::ru ? machine.name_ru : machine.name_en; }
 
-/// Pads the text to `width` characters.
+/// Adds blanks to the text until it has `width` characters.
 std::string padded(std::string text, std::size_t width) {
   const std::size_t characters = characters_before(text, text.size());
   if (characters < width) text += std::string(width - characters, ' ');
@@ -23,7 +23,7 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string number_of(double value) { return fmt::format("{:.12g}", value); }
 
-/// Returns "X Y 30000, Z 24000": neighbouring axes with the same rapid rate are grouped.
+/// Returns the rapid rates of the axes, e.g. "X Y 30000, Z 24000" (mm/min). Neighbouring axes with the same rate are in one group.
 std::string rapids_of(const MachineProfile& machine) {
   std::string list, axes;
   for (auto axis = machine.axes.begin(); axis != machine.axes.end(); ++axis) {
@@ -60,7 +60,7 @@ std::string travel_of(const AxisProfile& axis) {
   return least + " … " + (axis.most >= AxisProfile{}.most ? "" : number_of(axis.most));
 }
 
-/// Returns the description of a rotary axis: "A (about [1, 0, 0], through [-400, -250, -420], reversed)".
+/// Returns the description of a rotary axis, e.g. "A (about [1, 0, 0], through [-400, -250, -420], reversed)".
 std::string joint_text(const std::string& name, const AxisJoint& joint) {
   if (!joint.turns) return name;
   const auto vector = [](Vec3 v) { return fmt::format("[{:.12g}, {:.12g}, {:.12g}]", v.x, v.y, v.z); };
@@ -68,7 +68,7 @@ std::string joint_text(const std::string& name, const AxisJoint& joint) {
   return translated(turning, name, vector(joint.direction), vector(joint.through));
 }
 
-/// Prints the order in which the axes carry each other and, where it applies, why NCT parameters cannot describe that order.
+/// Prints the order in which the axes carry each other. If NCT parameters cannot describe that order, the reason is printed too.
 void print_chains(const MachineProfile& machine) {
   const auto chain = [&](const std::string& what, const std::vector<std::string>& names) {
     std::string text = translated(texts::machines_command::bed);

@@ -1,4 +1,4 @@
-// The main program: reads the command line, runs one command, returns its exit status.
+// The main program: reads the command line, executes one command and returns its exit status.
 
 #include <fmt/core.h>
 
@@ -61,7 +61,8 @@ int perform(const CLI::App& app, const Commands& commands) {
   return ok;
 }
 
-/// Replaces the words in "kadr help run" and "kadr version", which other programs accept, by the options --help and --version.
+/// Replaces the words in "kadr help run" and "kadr version" by the options --help and --version. Many other programs accept these words, so
+/// users try them.
 void take_usual_words(int argc, char** argv) {
   static char help[] = "--help", version[] = "--version";
   if (argc < 2) return;
@@ -72,7 +73,8 @@ void take_usual_words(int argc, char** argv) {
   argv[argc - 1] = help;
 }
 
-/// Checks that the output was written, unless the command has already reported an error. Returns the exit status.
+/// Checks that the output was written, unless the command has already reported an error. Returns the exit status, which is then that of an
+/// error.
 int printed(int status) { return status == wrong_usage || came_out() ? status : wrong_usage; }
 
 }  // namespace
@@ -102,7 +104,7 @@ int main(int argc, char** argv) {
     return printed(perform(*app, commands));
   } catch (const std::bad_alloc&) {
     complain(kadr::plain_text(kadr::texts::command_line::out_of_memory));
-  } catch (const std::exception& error) {  // thrown by a library: a bug of Kadr, but reported in a sentence
+  } catch (const std::exception& error) {  // a library has thrown an exception, which is a fault of Kadr; the user still gets a sentence
     complain(error.what());
   }
   return wrong_usage;

@@ -1,4 +1,4 @@
-// kadr mill: reads a drawing, writes a program and its picture. The work in between is done by session/milling.
+// kadr mill: reads a drawing, and writes a milling program and its picture. session/milling converts the drawing to the program.
 
 #include <fmt/core.h>
 
@@ -43,7 +43,7 @@ class MillCommand {
     progress_.reset();
     if (!outputs_.open()) return wrong_usage;
     const std::string& program = made->program.text;
-    write_data(outputs_.stream("--output"), program);  // Outputs::keep() reports whether all was written
+    write_data(outputs_.stream("--output"), program);  // the result need not be checked here, since Outputs::keep() reports write errors
     if (!options_.plot.empty() && !draw(*made)) return wrong_usage;
     if (!outputs_.keep()) return wrong_usage;
     if (const std::string warning = warning_of_holes(*made, lang_); !warning.empty()) complain(warning);
@@ -61,7 +61,7 @@ class MillCommand {
     return {stop_token(), show};
   }
 
-  /// Prints an alarm of the whole job, not of a line of the drawing.
+  /// Prints an alarm that concerns the whole job and no line of the drawing.
   void say(const Alarm& alarm) {
     progress_.reset();
     if (alarm.id == AlarmId::interrupted) return complain(translated_in(lang_, texts::mill_command::interrupted));

@@ -1,5 +1,5 @@
 #pragma once
-// The HTML viewer of a report and the licence texts, embedded into the executable by dev/embed.cpp.
+// The HTML viewer of a report and the licence texts. dev/embed.cpp embeds these files into the executable.
 
 #include <string_view>
 
@@ -7,7 +7,8 @@
 
 namespace kadr {
 
-/// Returns "report.html", which is missing if npm was not available at build time, and "licences.txt".
+/// Returns the embedded files "report.html" and "licences.txt". The file "report.html" is missing if npm was not available when Kadr was
+/// built.
 std::span<const EmbeddedFile> report_files();
 
 /// Returns the contents of the embedded file; empty if the file is missing.

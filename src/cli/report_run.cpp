@@ -1,4 +1,5 @@
-// kadr report: executes a program, and writes the HTML viewer with the results into one file. Tested by tests/report.py.
+// kadr report: executes a program, and writes the HTML viewer together with the results into one file. The command is tested by
+// tests/report.py.
 
 #include <fmt/core.h>
 
@@ -34,7 +35,8 @@ Outputs outputs_of(const ReportOptions& options, const Job& job) {
   return outputs;
 }
 
-/// Reads all of standard input into memory, since the program is read several times. Prints errors.
+/// Reads all of standard input into memory, since the program is read several times. If an error occurs, it is printed and the function
+/// returns nullopt.
 std::optional<std::string> text_of_input(const Job& job) {
   OpenedText text = open_text(job.file, job.encoding);
   if (text.source) return SourceText(std::move(text)).whole();
@@ -42,7 +44,7 @@ std::optional<std::string> text_of_input(const Job& job) {
   return std::nullopt;
 }
 
-/// Opens the program in the same way as the web page; prints errors.
+/// Opens the program in the same way as the web page does. If an error occurs, it is printed and the function returns nullopt.
 std::optional<OpenedProgram> opened_by(const Job& job, const Options& options) {
   OpenedProgram opened;
   opened.path = job.file;
@@ -64,7 +66,7 @@ class ReportRun {
   ReportRun(const Job& job, const Options& options)
       : job_(job), progress_(options.quiet), found_(job.texts(), job.lang, stderr, options.every) {}
 
-  /// Opens the session; prints errors.
+  /// Opens the session. If an error occurs, it is printed and the function returns false.
   bool open(const OpenedProgram& opened) {
     auto run = ProgramRun::make(opened, stop_token());
     if (!run) {
@@ -84,7 +86,7 @@ class ReportRun {
   void execute() {
     run_->on_alarm = [this](const AlarmReport& report, double at, int channel) {
       AlarmReport told_report = report;
-      if (channel != 0) told_report.origin.line = 0;  // this line is in the program of another channel
+      if (channel != 0) told_report.origin.line = 0;  // the line is removed, since it is in the program of another channel
       take(told_report, at);
     };
     run_->on_progress = [this](double part, std::uint64_t blocks, double) {
@@ -101,7 +103,7 @@ class ReportRun {
   }
   const ProgramRun& run() const { return *run_; }
 
-  /// Cuts the blank; prints errors.
+  /// Cuts the blank. If an error occurs, it is printed and the function returns false.
   bool cut(const CutOptions& options, const ToolLibrary& tools) {
     PartRequest request{options.stock, options.fixtures, options.fixtures, tools, options.resolution};
     auto part = PartRun::make(run_->opened(), request, stop_token());
@@ -139,12 +141,12 @@ class ReportRun {
   std::vector<ReportAlarm> alarms_;
   std::vector<ViewPiece> contour_;
   ReportPart part_;
-  std::optional<CutResult> cut_;  // nullopt: no blank is cut
+  std::optional<CutResult> cut_;  // result of the cut; nullopt: no blank is cut
 };
 
 std::string shown_name(const std::string& file) { return file == "-" ? file : std::filesystem::path(file).filename().string(); }
 
-/// Writes the HTML file. Prints the summary, unless the HTML goes to standard output. Returns the exit status.
+/// Writes the HTML file. Also prints the summary, unless the HTML goes to standard output. Returns the exit status.
 int write(const ReportOptions& options, const ReportRun& report, const std::string& html, Outputs& outputs) {
   std::FILE* const file = outputs.stream("--out");
   if (std::fwrite(html.data(), 1, html.size(), file) != html.size()) {

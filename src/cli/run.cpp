@@ -1,4 +1,4 @@
-// kadr run: executes a program, or the programs of several channels; writes trace, summary, plot.
+// kadr run: executes a program, or the programs of several channels. The command also writes the trace, the summary and the pictures.
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -30,31 +30,32 @@
 namespace kadr::cli {
 namespace {
 
-/// Checks that the picture of the option can be drawn; prints an error if not.
+/// Checks that the picture of the option can be drawn. Prints an error and returns false otherwise.
 bool can_draw(const char* option, const std::string& name) {
   const std::string fault = name.empty() ? "" : page_fault(name);
   if (!fault.empty()) complain(fmt::format("{} {}", option, fault));
   return fault.empty();
 }
 
-/// True if an output needs the planner of least time.
+/// True if an output needs the least-time planner.
 bool needs_planner(const Options& options, const MachineProfile& profile) {
   const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
   return counts || !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
 }
 
-/// True if only the samples need the planner of least time. The summary then shows the planner's time in addition to the machining time.
+/// True if only the samples need the least-time planner. Then the summary shows the planner's time in addition to the machining time.
 bool is_for_samples_alone(const Options& options, const MachineProfile& profile) {
   const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
   return !counts && !options.why && options.plot_speed.empty() && options.colour.empty();
 }
 
-/// True if the control moves axes synchronously with the spindle (threads).
+/// True if the control can move axes synchronously with the spindle (threads).
 bool has_threads(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::thread; });
 }
 
-/// True if the trace goes to the terminal: a progress bar between its lines would make both unreadable.
+/// True if the trace or the samples go to the terminal. Then no progress bar is shown, since a bar between these lines would make both
+/// unreadable.
 bool writes_to_terminal(const Options& options) { return (options.trace == "-" || options.samples == "-") && ::isatty(STDOUT_FILENO) != 0; }
 
 class RunCommand {
@@ -113,7 +114,7 @@ class RunCommand {
     bool written = write_last_lines(stopped);
     if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
-    erase_bar();  // the bar may be on the terminal to which the summary goes
+    erase_bar();  // the progress bar is erased, since it may be on the terminal to which the summary goes
     if (!options_.quiet && !options_.json && drive_.wants_summary()) print_summary();
     if (options_.why) print_why();
     if (!written) return wrong_usage;
@@ -123,7 +124,7 @@ class RunCommand {
   }
 
  private:
-  /// Returns the functions that observe one channel. The function that observes steps is not among them.
+  /// Returns the functions that observe one channel, except the function that observes its steps.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
@@ -152,7 +153,7 @@ class RunCommand {
       outlets.step = [&view](const Step& step) { view.show(step); };
       outlets.timed = [&view](const Step& step, double longer) { view.show_timed(step, longer); };
     } else if (!channels_.front().control->may_read_clock()) {
-      outlets.clock = nullptr;  // without a summary, nothing needs the times of steps
+      outlets.clock = nullptr;  // without a summary, no output needs the times of the steps
     }
     session_.change_outlets();
     drive_.execute(session_);
@@ -178,7 +179,8 @@ class RunCommand {
     if (views_[writes]->trace) views_[writes]->trace->flush();
   }
 
-  /// Marks the position of the stop in the picture. The line of an alarm in another channel is not a line of this program.
+  /// Marks the position of the stop in the picture. If the alarm is in another channel, no line is marked, since its line is not in this
+  /// program.
   static void mark_stop(View& view, const Stopped& stopped) {
     if (!view.plot || !stopped.report) return;
     const Origin& origin = stopped.report->origin;
@@ -256,7 +258,8 @@ class RunCommand {
     return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? view.planned->time() : nullptr, job_.profile.planner);
   }
 
-  /// Prints the lines that lose most time; with several channels only those of the program's own channel, like the samples.
+  /// Prints the lines that lose the most time. With several channels, only lines of the program's own channel are printed, as for the
+  /// samples.
   void print_why() const {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       if (!views_[i]->planned) continue;
@@ -265,8 +268,8 @@ class RunCommand {
     }
   }
 
-  /// Returns standard error if standard output receives data for programs, which must not be mixed with the summary; else standard
-  /// output.
+  /// Returns the stream for the summary. It is standard error if standard output receives data for programs, since the two must not be
+  /// mixed; otherwise it is standard output.
   std::FILE* text_goes_to() const {
     const auto is_data = [](const std::string& name) { return name == "-"; };
     return options_.json || is_data(options_.trace) || is_data(options_.samples) || is_data(options_.samples_tip) ? stderr : stdout;
@@ -305,11 +308,11 @@ class RunCommand {
   Progress progress_;
   Found found_;
   std::vector<std::unique_ptr<View>> views_;
-  bool plan_failed_ = false;  // there is no plan, or its samples ended early (exit status 1)
+  bool plan_failed_ = false;  // true: there is no plan, or the samples ended early (exit status 1)
 };
 
-/// From now on, saves every change of the tables and variables to the state file.
-///   fault  set to the first error
+/// Stores every change of the tables and variables in the state file from now on.
+///   fault  receives the first error
 void save_changes(StateFile& file, Control& control, std::string& fault) {
   control.on_changes = [&](const StateChanges& changes) {
     const auto saved = file.save(changes);
@@ -317,7 +320,7 @@ void save_changes(StateFile& file, Control& control, std::string& fault) {
   };
 }
 
-/// Returns the output files of the command, not opened yet.
+/// Returns the output files of the command. They are not open yet.
 Outputs outputs_of(const Options& options, const Job& job) {
   Outputs outputs(language(options));
   outputs.reads(job.file);
@@ -357,7 +360,7 @@ int run_by(const Options& options, Drive& drive) {
   limits.untouched = outputs.all();
   const auto session = make_session(*job, std::move(*program), limits);
   if (!session || !outputs.open()) return wrong_usage;
-  // Drive::leave() is called before the session is destroyed.
+  // Drive::leave() must be called before the session is destroyed, so this object is destroyed first.
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(&drive, [](Drive* left) { left->leave(); });
   std::string state_fault;
   if (state_file) save_changes(*state_file, session->control(), state_fault);

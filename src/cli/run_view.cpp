@@ -1,4 +1,4 @@
-// Observes one channel of a run. Used by cli/run.
+// View: observes one channel of a run. It is used by cli/run.
 
 #include "cli/run_view.h"
 

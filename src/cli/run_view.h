@@ -1,5 +1,6 @@
 #pragma once
-// View: observes one channel of a run: collects statistics, and writes trace, plot and planner data if the options request them.
+// View: observes one channel of a run. It collects statistics, and writes the trace, the picture and the data for the planner if the
+// options request them.
 
 #include <functional>
 #include <memory>
@@ -16,21 +17,21 @@ namespace kadr::cli {
 struct View {
   View(const Channel& channel, const Rates& rates);
 
-  /// Observes a step when the machine executes it. The time of motions that are still in the look-ahead counts as programmed.
+  /// Processes a step when the machine executes it. For motions that are still in the look-ahead, the programmed time is used.
   void show(const Step& step);
 
-  /// Observes a step whose time on the machine is known.
-  ///   longer  s by which the step takes longer than programmed
+  /// Processes a step whose real time on the machine is known.
+  ///   longer  additional time of the step compared with the programmed time, s
   void show_timed(const Step& step, double longer);
 
-  /// Returns the function that observes motions as programmed, before cutter compensation; empty if nothing needs it.
+  /// Returns the function that observes the programmed motions, without cutter compensation; empty if no output needs them.
   std::function<void(const Action&)> programmed();
 
   Statistics statistics;
   std::optional<TraceWriter> trace;
-  std::optional<Plot> plot;    // the picture, only for the channel of the program itself
-  Planned* planned = nullptr;  // the plan, only for the channel of the program itself
-  double waited = 0;           // time that the channel waited for others, s
+  std::optional<Plot> plot;    // the picture, only for the channel that runs the program itself
+  Planned* planned = nullptr;  // the plan, only for the channel that runs the program itself; nullptr: no plan
+  double waited = 0;           // time that the channel has waited for other channels, s
 };
 
 }  // namespace kadr::cli

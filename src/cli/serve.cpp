@@ -1,4 +1,5 @@
-// kadr serve: serves a web page for the programs of a folder over HTTP, until Ctrl-C. Tested by tests/serve.py.
+// kadr serve: offers a web page for the programs of a folder over HTTP, until the user presses Ctrl-C. The command is tested by
+// tests/serve.py.
 
 #include <fmt/core.h>
 #include <spawn.h>
@@ -28,7 +29,7 @@ namespace {
 
 constexpr double max_port = 65535;
 
-/// Opens the address in the desktop's web browser; does nothing if there is none, since the address is also printed.
+/// Opens the address in the web browser of the desktop. Does nothing if there is no browser, since the address is also printed.
 void open_browser(const std::string& address) {
   std::string program = "xdg-open", where = address;
   char* const words[] = {program.data(), where.data(), nullptr};

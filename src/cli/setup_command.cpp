@@ -1,5 +1,6 @@
-// kadr setup: writes a set-up for the user to complete, with only the keys that a program uses. To find them, the interpreter executes
-// the program and continues after its faults, as `kadr check` does. The comments of the program are only used to suggest values.
+// kadr setup: writes a set-up for the user to complete, which contains only the keys that a program uses. To find these keys, the
+// interpreter executes the program and continues after faults, as in `kadr check`. The comments of the program are only used for suggesting
+// values.
 
 #include <fmt/core.h>
 #include <sys/stat.h>
@@ -28,9 +29,9 @@ namespace kadr::cli {
 namespace {
 
 constexpr std::size_t gives_up_at = 1000;
-constexpr std::size_t max_ranges = 20;  // greatest number of line ranges that are listed as not executed
+constexpr std::size_t max_ranges = 20;  // greatest number of ranges of unexecuted lines that are listed
 
-/// Results of executing the program.
+/// The results of executing the program.
 struct ExecutedBlocks {
   std::size_t faults = 0;
   MotionUnits moved;
@@ -99,7 +100,8 @@ class TemplateMaker {
     const std::string name = std::to_string(use.number);
     auto row = std::find_if(made_.offsets.begin(), made_.offsets.end(), [&](const SetupTemplate::Row& r) { return r.name == name; });
     if (row == made_.offsets.end()) row = made_.offsets.insert(made_.offsets.end(), {name, {}});
-    if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;  // by another tool
+    // an earlier use has already added this value to the row, so it is not added again
+    if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;
     const std::string used_at = (use.tool != 0 ? fmt::format("T{}, ", use.tool) : "") + place(use.origin);
     const bool is_radius = std::string_view(what) == "radius";
     const auto proposal = is_radius && use.tool != 0 ? proposal_for(use.tool) : std::nullopt;
@@ -126,14 +128,15 @@ class TemplateMaker {
     note(texts::setup_command_notes::corrector, used.key, place(use.origin));
   }
 
-  /// Returns the line of the block that calls the tool; 0: it is in another file.
+  /// Returns the number of the line with the block that calls the tool; 0 if the block is in another file.
   std::uint32_t called_at(std::uint32_t tool) const {
     const auto use = tools_.find(tool);
     return use == tools_.end() || use->second.origin.file != 0 ? 0 : use->second.origin.line;
   }
   std::optional<ToolProposal> proposal_for(std::uint32_t tool) const { return proposals_.of(tool, called_at(tool)); }
 
-  /// Returns a sentence, followed by the program's comment that mentions the tool without a certain size. `tool` 0: only the sentence.
+  /// Returns the sentence. If a comment of the program mentions the tool without a certain size, that comment is appended. `tool` 0: only
+  /// the sentence is returned.
   std::string with_unsure(const std::string& sentence, std::uint32_t tool) const {
     const auto comment = tool == 0 ? std::nullopt : proposals_.unsure(tool, called_at(tool));
     return comment ? in_words(texts::setup_command_notes::not_sure, sentence, comment->line, comment->text) : sentence;
@@ -146,7 +149,7 @@ class TemplateMaker {
     else made_.notes.push_back(with_unsure(fmt::format("T{}: {}", tool, place(use.origin)), tool));
   }
 
-  /// True if the line has a block, and not only the number of the program.
+  /// True if the line contains a block, and not only the number of the program.
   static bool holds_block(const std::string& text) {
     const std::string rest = without_comments(text);
     if (rest.empty() || rest[0] == '%') return false;
@@ -185,7 +188,7 @@ class TemplateMaker {
   SetupTemplate made_;
 };
 
-/// Returns a tools file for the user to complete, with the tools that the program uses.
+/// Returns a tools file for the user to complete. It contains the tools that the program uses.
 std::string tools_text(const Job& job, const Control& control, const MotionUnits& moved) {
   const ToolProposals proposals(lines_of(control), comments_in_inches(control, moved));
   ToolsTemplate made{std::filesystem::path(job.file).filename().string(), job.lang, {}};
@@ -202,7 +205,7 @@ std::string tools_text(const Job& job, const Control& control, const MotionUnits
   return tools_template_text(made);
 }
 
-/// Executes a limited number of blocks of the program, continuing after faults.
+/// Executes a limited number of blocks of the program. The execution continues after faults.
 ExecutedBlocks execute_past_faults(Session& session) {
   ExecutedBlocks done;
   Outlets& outlets = session.outlets();
@@ -216,12 +219,13 @@ ExecutedBlocks execute_past_faults(Session& session) {
     if (!fatal) ++done.faults;
     return !fatal && done.faults < gives_up_at;
   };
-  session.control().set_waiting(Control::Waiting::pass);  // programs of other channels are missing: do not wait for them
+  // the programs of other channels are not available, so the program does not wait for them
+  session.control().set_waiting(Control::Waiting::pass);
   (void)session.run();
   return done;
 }
 
-/// Refuses to overwrite an existing file; prints an error then.
+/// Returns true if the output file does not exist yet. Prints an error otherwise, so that no file is overwritten.
 bool may_write(const Outputs& outputs, const std::string& name) {
   struct stat there {};
   if (name.empty() || name == "-" || ::lstat(name.c_str(), &there) != 0) return outputs.check();

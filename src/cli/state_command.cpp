@@ -1,4 +1,4 @@
-// kadr state check|recover: checks the file that --state keeps, and recovers what can be read of it.
+// kadr state check|recover: checks the file that the option --state names, and recovers the readable data from it.
 
 #include "texts/state_command.h"
 
@@ -13,7 +13,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Prints what was found to standard output.
+/// Prints the findings about the file on standard output.
 int print(const StateOptions& options, const StateReport& report, const std::string& heading) {
   std::string text = fmt::format("{}: {}\n", options.file, heading);
   for (const std::string& fault : report.faults) text += "  " + fault + "\n";

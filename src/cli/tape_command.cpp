@@ -1,4 +1,4 @@
-// kadr tape decode|encode: punched tape images and text.
+// kadr tape decode|encode: converts images of punched tape to text, and text to images.
 
 #include "texts/tape_command.h"
 
@@ -17,7 +17,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr std::size_t longest_tape = 256u << 20;  // size of the longest tape image, bytes: 680 km of tape
+constexpr std::size_t longest_tape = 256u << 20;  // greatest size of a tape image, bytes: 680 km of tape
 
 int decode(const TapeOptions& options, const std::string& rows, std::string& output, Lang lang) {
   const TapeReading read = read_tape(rows, tape_code_named(options.code));
@@ -42,7 +42,7 @@ int encode(const TapeOptions& options, const std::string& bytes, std::string& ou
                              name_of(encoding)));
       return alarms;
     }
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark is not a character of the tape
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // removes a byte order mark, which is not a character of the tape
   const TapeCode code = tape_code_named(options.code).value_or(TapeCode::iso);
   const std::string_view name = name_for_people(code);
   const auto rows = encode_tape(text, options.leader, code);
@@ -72,7 +72,7 @@ int tape(const TapeOptions& options) {
   const int status = options.decode ? decode(options, *bytes, output, lang) : encode(options, *bytes, output, lang);
   if (output.empty() && status != ok) return status;
   if (!outputs.open()) return wrong_usage;
-  write_data(outputs.stream("OUTPUT"), output);  // Outputs::keep() reports whether all was written
+  write_data(outputs.stream("OUTPUT"), output);  // the result need not be checked here, since Outputs::keep() reports write errors
   return outputs.keep() ? status : wrong_usage;
 }
 

@@ -1,5 +1,5 @@
-// AxisLinks: axes of one channel that follow axes of another channel, or are exchanged with them (spec/nct/20 20.2, 20.3). Used by
-// session/channels; tested by tests/cases/nct/20-channels.cases.
+// AxisLinks moves axes of one channel that follow axes of another channel, and exchanges axes between channels (spec/nct/20 20.2, 20.3). It
+// is used by session/channels and tested by tests/cases/nct/20-channels.cases.
 
 #include "session/axis_links.h"
 
@@ -16,7 +16,7 @@ std::optional<AxisLinks::Place> AxisLinks::place_of(int number) const {
   return std::nullopt;
 }
 
-/// True if the axis follows the master, directly or through other axes.
+/// True if `axis` follows `master`, directly or through other axes. An axis also counts as following itself.
 bool AxisLinks::follows(Place axis, Place master) const {
   if (axis == master) return true;
   return std::any_of(links_.begin(), links_.end(), [&](const LinkedAxis& link) {
@@ -36,8 +36,8 @@ bool AxisLinks::may_link(const LinkedAxis& link) const {
   return !leads && channels_[link.channel].control->may_exchange(link.far.axis) && its.may_exchange(link.to_axis);
 }
 
-/// Returns the machine position of the master. While the master is parked, this is its programmed position (nct 20.2), else its actual
-/// position.
+/// Returns the machine position of the link's master axis, mm or degrees: while the master is parked, its programmed position (nct 20.2);
+/// otherwise its actual position.
 double AxisLinks::master_at(const LinkedAxis& link) const {
   const Control& control = *channels_[link.to_channel].control;
   const bool parked = control.is_parked(link.to_axis);
@@ -85,7 +85,7 @@ void AxisLinks::relink(std::size_t channel) {
 Status AxisLinks::carry(std::size_t moved) {
   for (LinkedAxis& link : links_) {
     if (link.to_channel != moved || link.far.link != AxisLink::follows) continue;
-    // INFERRED: when the axis is no longer parked, it follows from its present position
+    // INFERRED: an axis that is no longer parked follows from its present position. Therefore the offset is computed again here.
     if (channels_[link.channel].control->is_parked(link.far.axis)) {
       link.lead = lead_of(link);
       continue;

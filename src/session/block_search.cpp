@@ -1,5 +1,5 @@
-// BlockSearch: the control's own block search (spec/nct 13.1, 12.1, 23.1.11). Used by the debugger, the panel, embedding programs; tested
-// by tests/session/block_search_test.cpp.
+// BlockSearch: the control's own block search (spec/nct 13.1, 12.1, 23.1.11). It is used by the debugger, the panel and embedding programs,
+// and tested by tests/session/block_search_test.cpp.
 
 #include "session/block_search.h"
 
@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the number of the M code that commanded an action; 0 if the action does not come from an M code for the machine's logic.
+/// Returns the number of the M code that commanded an action; 0 if no M code commanded it, or if the control executes the M code itself.
 std::uint32_t m_code_of(const Action& action) {
   constexpr std::uint32_t none = 0, of_coolant[] = {9, 7, 8};
   return by_kind(
@@ -32,7 +32,7 @@ std::uint32_t m_code_of(const Action& action) {
            Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>(none));
 }
 
-/// Collects the codes of all actions executed during the search.
+/// Collects the M codes and the tool change of all actions that are executed during the search.
 class Collector {
  public:
   explicit Collector(const SearchRules& rules) : rules_(rules) {}
@@ -48,7 +48,7 @@ class Collector {
       return static_cast<std::int64_t>(code) >= g.first && static_cast<std::int64_t>(code) <= g.second;
     });
     const bool in_group = group != rules_.groups.end();
-    // Of each group only the last code is kept; of a code that belongs to no group, only its last use is kept.
+    // A later code replaces an earlier code of the same group. Outside the groups, a later use replaces an earlier use of the same code.
     auto& list = in_group ? grouped_ : others_;
     const std::int64_t key = in_group ? group - rules_.groups.begin() : static_cast<std::int64_t>(code);
     std::erase_if(list, [&](const auto& noted) { return noted.first == key; });
@@ -68,7 +68,7 @@ class Collector {
   std::optional<BlockSearch::Code> tool_;
 };
 
-/// Detaches the outlets, so that only the collector receives the actions. The destructor attaches the outlets again.
+/// Detaches the outlets during the search, so that only the collector receives the actions. The destructor attaches the outlets again.
 class Unseen {
  public:
   Unseen(Session& session, Collector& collector) : session_(session), before_(session.outlets()) {

@@ -1,4 +1,5 @@
-// ChannelRun: runs one channel: program → control → path → machine → Steps → observers. Used by session/channels, cli.
+// ChannelRun: runs the program of one channel through the rooms: program → control → path → machine → Steps → observers. It is used by
+// session/channels and cli.
 
 #include "session/channel_run.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr unsigned shown_each = 64;  // number of batches between two updates of the progress display
 
-/// Returns what follows a batch, in the form that the calculation of corners in room `path` needs.
+/// Converts the control's state after a batch to what follows the batch, as the corner calculation of room `path` expects it.
 CornerResolver::Follows behind(Control::State state) {
   switch (state) {
     case Control::State::running:
@@ -23,10 +24,10 @@ CornerResolver::Follows behind(Control::State state) {
   }
 }
 
-/// Returns true if more batches follow immediately.
+/// True if the control has more batches that can be executed at once.
 bool goes_on(Control::State state) { return state == Control::State::running || state == Control::State::held; }
 
-/// Computes the corners of a whole contour, for a control that checks the contour before it executes it.
+/// Computes all corners of a contour at once. A control that checks a whole contour before it executes the contour calls this function.
 std::optional<Alarm> corners_of(ActionBatch& contour, const Axes& from) {
   const auto fault = CornerResolver(ToolPosition{from, from, nullptr}).take(contour, CornerResolver::Follows::nothing);
   return fault ? std::optional(fault->alarm) : std::nullopt;
@@ -69,13 +70,14 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
 }
 
 ChannelRun::~ChannelRun() {
-  ahead_.reset();  // the control's thread must end before the objects that the control calls back are destroyed
+  ahead_.reset();  // the control's thread calls back this object, so the thread must end first
   control_.on_block = nullptr;
   control_.on_signal = nullptr;
   control_.on_warning = nullptr;
 }
 
-/// Stores the machine's position in `stopped_` if the tool is on a compensated contour, where the control knows only the programmed point.
+/// Stores the machine's position in `stopped_` while cutter compensation is active. The tool is then next to the programmed point, which is
+/// all that the control knows.
 void ChannelRun::note_position() {
   if (beside_contour()) stopped_.machine_stood = machine_.position();
 }
@@ -86,7 +88,7 @@ ChannelRun::State ChannelRun::stop(const AlarmReport& report) {
   return State::stopped;
 }
 
-/// Gets the next batch: the rooms lang and control convert blocks to actions.
+/// Returns the control's state and stores its next batch of actions in `batch_`. The rooms lang and control convert blocks to actions.
 Control::State ChannelRun::next_batch() {
   if (!to_come_.empty()) {
     RunAhead::Batch next = std::move(to_come_.front());
@@ -103,7 +105,8 @@ Control::State ChannelRun::next_batch() {
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
   const Control::State state = control_.run(batch_);
-  // A thread saves time only if path and machine have about as much work as the control; otherwise passing the batches costs more.
+  // A thread saves time only if path and machine have about as much work as the control. Otherwise the transfer of batches between the
+  // threads costs more time than it saves.
   const bool contour = queued_ ? queued_->at_work() : compensation_.at_work();
   const bool pays = (outlets_.works_long || contour) && !control_.holds_before;
   if (ahead_ && pays && state == Control::State::running && !control_.returns_each_block()) ahead_->start();
@@ -136,20 +139,21 @@ std::optional<CompensationFault> ChannelRun::compensate(Control::State state, bo
   return queued_->take(batch_, last ? QueuedCompensation::Follows::nothing : QueuedCompensation::Follows::more);
 }
 
-/// Passes the batch of the control through the later rooms: path, machine, outlets.
+/// Processes the control's batch in the later rooms: path, machine, outlets.
 ChannelRun::State ChannelRun::take(Control::State state) {
   if (!ahead_ || !ahead_->is_going()) blocks_ = control_.blocks();
   else if (!batch_.empty()) blocks_ = batch_.back().origin.number;
-  const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();  // then control_ must be used through settled() only
-  // room path: computes corners that the program does not state, and the arcs that round corners
+  // true: the control is in advance, so it may be accessed only through settled()
+  const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();
+  // room path: computes corners that the program does not state, and the arcs that replace corners
   const auto corner_fault = corners_.take(batch_, behind(state));
   if (outlets_.programmed && !outlets_.silent)
     for (const Action& action : batch_) outlets_.programmed(action);
-  const auto fault = compensate(state, corner_fault.has_value());  // room path: cutter radius compensation
+  const auto fault = compensate(state, corner_fault.has_value());  // room path: applies cutter radius compensation
   ToolPosition before = machine_.position();
   const auto follows = goes_on(state) ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
   const auto taken =
-      // room machine: limits, zones, probes
+      // room machine: checks limits and zones, and executes probe motions
       machine_.take(batch_, follows, [this](const ProbeAnswer& touched) { control_.answer(touched); });
   batch_.cut(taken.done);
   deliver(std::move(before));
@@ -157,7 +161,8 @@ ChannelRun::State ChannelRun::take(Control::State state) {
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
     const AlarmReport report = settled().report_for(*taken.alarm, taken.origin);
-    // from now on the control passes each block separately, so that it is no longer ahead of the machine
+    // from now on the control passes each block separately, so that it no longer executes blocks before the machine has accepted the
+    // previous one
     if (taken.refused) control_.refused();
     if (!outlets_.alarm(report)) {
       stopped_.machine_stood = machine_.position();
@@ -194,7 +199,8 @@ ChannelRun::State ChannelRun::take(Control::State state) {
   return state == Control::State::waiting ? State::waiting : State::running;
 }
 
-/// Reports an alarm of room `path`. The control had executed blocks beyond the faulty one. Returns false if the run stops.
+/// Reports an alarm of room `path`, at which the control has already executed blocks after the faulty block. Returns false if the observer
+/// stops the run.
 bool ChannelRun::can_continue_after(const std::optional<CompensationFault>& fault) {
   if (!fault) return true;
   const AlarmReport report = settled().report_for(fault->alarm, fault->origin);
@@ -312,7 +318,8 @@ void ChannelRun::wait_until(double at) {
   now_.spent_then = spent().now;
 }
 
-/// Passes the batch to the outlets (trace, summary, plot). This function gives each action the tool position and the time at its start.
+/// Passes the batch to the outlets (trace, summary, plot). Each action is passed as a step, with the tool position and the time at its
+/// start.
 ///   from  tool position before the batch
 void ChannelRun::deliver(ToolPosition from) {
   const auto leads = [](const auto& space) { return space && space->controls_tip(); };
@@ -338,7 +345,8 @@ void ChannelRun::give(Steps& steps, const Action& action) {
   const double begins = outlets_.step && clock_ != nullptr ? now() : 0;
   steps.give(action, begins, [this](const Step& step) {
     if (outlets_.silent) return;
-    const bool moves = step.motion() != nullptr;  // a tool change is passed to the outlets only after all earlier motions of the tool
+    // false, e.g. a tool change: the outlet `step` receives it only after all earlier motions of the tool
+    const bool moves = step.motion() != nullptr;
     if (moves && outlets_.step) outlets_.step(step);
     if (look_ahead_) look_ahead_->consume(step);
     else if (outlets_.timed) outlets_.timed(step, 0);
@@ -349,7 +357,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
   });
 }
 
-/// True for a motion whose feed may exceed the greatest speed of some axis, so that watch_feed() must examine it.
+/// True for a motion whose feed may exceed the greatest speed of some axis. Then watch_feed() must examine the motion.
 bool ChannelRun::is_suspect(const Action& action) const {
   const auto* const motion = motion_of(action);
   return motion != nullptr && motion->feed > lowest_rapid_rate_ && motion->unit == FeedUnit::mm_per_min;
@@ -368,8 +376,8 @@ void ChannelRun::watch_gear(const Action& action) {
                               action.origin));
 }
 
-/// Room motion: warns, once in a run, of a feed that an axis cannot reach. The axis then moves at its rapid rate, which determines the
-/// motion's time.
+/// Warns, once in a run, of a feed that an axis cannot reach. The axis then moves at its rapid rate, which determines the duration of the
+/// motion.
 void ChannelRun::watch_feed(const Step& step) {
   constexpr double rounding = 1e-9;
   const Motion& motion = *step.motion();

@@ -1,6 +1,6 @@
 #pragma once
-// ChannelRun: runs the program of one channel: program → control → path → machine → Steps → observers. Only this class connects these
-// rooms. session/channels runs the channels of one machine in parallel.
+// ChannelRun: runs the program of one channel: program → control → path → machine → Steps → observers. No other class connects these rooms.
+// session/channels runs several ChannelRun objects in parallel, one for each channel of a machine.
 
 #include <deque>
 #include <functional>
@@ -24,130 +24,138 @@
 
 namespace kadr {
 
-/// Virtual time since the start, s.
+/// Virtual time since the start of the run, s.
 struct VirtualTime {
   double now = 0;
-  double cutting = 0;  // the part of `now` that was spent moving at feed
+  double cutting = 0;  // time spent in motion at feed, s; included in `now`
 };
 VirtualTime virtual_time(const TimeSplit& split);
 
-/// Displays the progress of a run, e.g. as a bar.
+/// A display of the progress of a run, e.g. a progress bar.
 class ProgressDisplay {
  public:
   virtual ~ProgressDisplay() = default;
-  /// Returns true if the display is due for an update. Called often.
+  /// Returns true if the display needs an update. This function is called often, so it must be fast.
   virtual bool is_due() const = 0;
-  /// Updates the display. The control stands still during the call, so it may be queried.
+  /// Updates the display. The control is stopped during the call, so the function may query it.
   virtual void show(const Control& control) = 0;
 };
 
-/// The observers of a run.
+/// The functions and options with which callers observe a run.
 struct Outlets {
   std::function<void(const Step&)> step{};  // called after the machine has accepted an action; empty: nobody observes the steps
-  /// Like `step`, but with the time that the machine really takes, if something limits the speed (ChannelRun::look_ahead). This function is
-  /// called later than `step`. The machine takes `longer` s more for the step than the time that `step` received.
+  /// Like `step`, but with the time that the machine really needs if something limits its speed (ChannelRun::look_ahead). This function is
+  /// called later than `step`. `longer`: additional time compared with the time that `step` received, s.
   std::function<void(const Step&, double longer)> timed{};
   std::function<void(const AlarmReport&)> warning;
-  /// Called at an alarm. Returns true to continue with the next block (checking).
+  /// Called when an alarm occurs. The function returns true if the run is to continue with the next block, as in a check of the program.
   std::function<bool(const AlarmReport&)> alarm;
-  ProgressDisplay* progress_display = nullptr;  // called now and then to display the progress
-  // computes the times of the steps; nullptr: the run has its own clock, created when times are requested
+  ProgressDisplay* progress_display = nullptr;  // called at intervals; nullptr: no display
+  // the clock that computes the times of the steps; nullptr: the run creates its own clock when times are requested
   TimeEstimate* clock = nullptr;
-  bool wants_times = false;                         // steps must always have times
+  bool wants_times = false;                         // true: the steps must have times even without a clock
   std::function<void(const Action&)> programmed{};  // called for each action before cutter radius compensation is applied
-  std::function<bool()> writable{};                 // returns false if output could not be written; empty: the observers write no output
-  StopToken stop{};                                 // polled after each batch
-  bool works_long = false;                          // the observer works long on each step, because it writes or draws the step
-  bool silent = false;                              // the program is only scanned: steps and warnings are not passed to the observers
+  // returns false if an observer could not write its output, which ends the run; empty: the observers write no output
+  std::function<bool()> writable{};
+  StopToken stop{};  // a request to stop; checked after each batch
+  // true: the observer needs much time for each step, because it writes or draws the step; then a second thread is useful
+  bool works_long = false;
+  // true: the observers receive neither steps nor warnings, because the program is only scanned
+  bool silent = false;
 };
 
-/// How a run ended.
+/// The way in which a run ended.
 struct Stopped {
-  std::optional<AlarmReport> report{};  // the alarm that stopped the run; nullopt: no alarm
-  // the machine's position, if it differs from the control's because the control had read ahead or ignores an offset
+  std::optional<AlarmReport> report{};  // the alarm that stopped the run; nullopt: the run ended without an alarm
+  // position of the machine; nullopt: the control's position is the machine's. The two differ if the control had read ahead or ignores an
+  // offset
   std::optional<ToolPosition> machine_stood{};
-  int channel = 0;  // number of the channel that raised the alarm, if another channel did
+  int channel = 0;  // number of the other channel whose alarm stopped this one; 0: this channel's own alarm
 };
 
-/// The machine's logic (PLC), and the controls of the channels that it acts on.
+/// The machine's logic (PLC), and the controls of the channels that receive its commands.
 struct Logic {
   Plc plc;
   std::vector<Control*> channels;
 };
 
-/// One channel that is being executed: its control, its axes of the machine, its clock. The constructor's arguments must outlive this
-/// object.
+/// One channel while its program runs: the control, the axes on the machine, the clock. The constructor's arguments must outlive the
+/// ChannelRun object.
 class ChannelRun {
  public:
   ChannelRun(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic);
-  ChannelRun(const ChannelRun&) = delete;  // the control calls back this object
+  ChannelRun(const ChannelRun&) = delete;  // not copyable: the control has a pointer to this object
   ChannelRun& operator=(const ChannelRun&) = delete;
   ~ChannelRun();
 
   enum class State : std::uint8_t { running, waiting, held, stopped, ended };
-  /// Executes the next actions that the control passes together.
-  ///   waiting  the channel waits for other channels: Control::meeting()
-  ///   held     the channel is held before a block, by Control::holds_before()
-  ///   stopped  an alarm has stopped the channel: stopped()
+  /// Executes the next batch of actions of the control.
+  ///   waiting  the channel waits for other channels, see Control::meeting()
+  ///   held     Control::holds_before() holds the channel before a block
+  ///   stopped  an alarm has stopped the channel, see stopped()
   State step();
-  /// Passes an action to the outlets that all channels execute together at this time.
+  /// Passes an action to the outlets that all channels execute together at the present time, e.g. the end of waiting.
   void show(const Action& action);
   const Stopped& stopped() const { return stopped_; }
-  /// Stops the run with an alarm whose reason is not a faulty block.
+  /// Stops the run with an alarm for which no block is the reason.
   void refuse(const Alarm& alarm);
   void warn(const AlarmReport& warning);
 
-  /// Virtual time of the channel in s, including the time spent waiting. It counts from the first call of now(), unless the outlets have
-  /// a clock.
+  /// Returns the virtual time of the channel, s, including the time spent waiting. Without a clock of the outlets, the time counts from the
+  /// first call of now().
   double now();
-  /// Records that this channel has waited for other channels until the time `at`.
+  /// Records that this channel has waited for other channels until the virtual time `at`, s.
   void wait_until(double at);
   double waited() const { return now_.waited; }
 
-  /// From now on Outlets::timed receives the steps with times computed by these rules. For a single channel only: several channels wait
-  /// for each other by their programmed times, and their speeds are not planned.
+  /// Plans the speeds by these rules from now on: Outlets::timed receives the steps with the planned times. The function may be called only
+  /// if there is a single channel: several channels wait for each other according to their programmed times, so their speeds are not
+  /// planned.
   void look_ahead(const SpeedRules& rules);
-  /// Declares that no action follows: actions that are kept back for look-ahead are passed on as if the program ended here.
-  ///   returns  stopped if a kept-back action raised an alarm
+  /// Declares that no action follows. Actions that are stored for look-ahead are passed to the outlets as if the program ended here.
+  ///   returns  stopped if a stored action raised an alarm
   State let_out();
   void finish();
-  /// Number of blocks that the control has executed and the later rooms (path, machine) have processed.
+  /// Number of blocks that the control has executed and that path and machine have processed.
   std::uint64_t blocks() const { return blocks_; }
-  /// Waits until the control's thread has run as far ahead as it may and has stopped. Returns the control, which the caller may then query.
+  /// Waits until the control's thread has read ahead as far as it may and has stopped. Returns the control, which the caller may query
+  /// then.
   Control& settled();
-  /// The position of the machine.
+  /// Position of the tool on the machine, after the last action that the machine has accepted.
   const ToolPosition& position() const { return machine_.position(); }
   void stand_at(const Axes& machine);
 
   // ---- axes that are linked to axes of other channels (nct 20.2, 20.3)
   void hang(std::size_t axis, bool on) { machine_.hang(axis, on); }
-  /// Moves a linked axis to this machine position.
+  /// Moves a linked axis to the position `machine`, in machine coordinates, mm or degrees.
   ///   alarms  as VirtualMachine::follow()
   Status lead(std::size_t axis, double machine);
-  /// Exchanges an axis with an axis of another channel, so that each program drives the other's axis; `on` false: ends the exchange.
+  /// Exchanges an axis with an axis of another channel, so that the program of each channel moves the axis of the other channel. If `on` is
+  /// false, the exchange ends.
   void exchange(std::size_t axis, ChannelRun& with, std::size_t other, bool on);
-  /// Exchanges the data that belong to the axes themselves (names, end positions and zones), but not their positions.
+  /// Exchanges the names, end positions and zones of two axes, which belong to the axes themselves, but not their positions.
   void exchange_limits(std::size_t axis, ChannelRun& with, std::size_t other) { machine_.exchange(axis, with.machine_, other); }
-  /// Called when the outlets have another clock. From now on the new clock counts. It takes over the state of the previous clock, but not
-  /// the time counted so far.
+  /// Changes to the present clock of the outlets; to be called when the outlets have another clock. The new clock receives the state of the
+  /// previous clock, except the time counted so far.
   void change_clock();
   /// Acknowledges the alarm that stopped the run, so that the run may continue.
   void acknowledge() { stopped_ = {}; }
 
-  /// The state of this object between two steps.
+  /// Times and watches of this object as they are between two steps.
   struct Clocks {
     double waited = 0;        // total waiting time, s
     double continued_at = 0;  // time at which the last waiting ended, s
-    // time on the clock when the last waiting ended, s; stored separately, since rounding errors of a running sum could reorder steps
+    // time on the clock when the last waiting ended, s. The value is stored, since rounding errors of a running sum could change the order
+    // of steps
     double spent_then = 0;
     bool too_fast_reported = false;
     SingularityWatch whirls{};
     GearWatch gear{};
   };
-  /// Everything that determines how the run continues, including the state of path and machine, as a value.
+  /// A snapshot of everything that determines how the run continues, including the state of path and machine.
   struct Memory {
     Snapshot control;
-    std::vector<RunAhead::Batch> to_come;  // batches that the control had executed ahead of the machine
+    std::vector<RunAhead::Batch> to_come;  // batches that the control had executed before the machine needed them
     CornerResolver::Memory corners;
     std::shared_ptr<const RadiusCompensation::Memory> compensation;
     std::shared_ptr<const QueuedCompensation::Memory> queued;
@@ -157,9 +165,9 @@ class ChannelRun {
     Clocks own;
     Stopped stopped;
   };
-  /// Returns the state; nullopt while the control waits for a probe.
+  /// Returns a snapshot; nullopt while the control waits for the result of a probe motion.
   std::optional<Memory> memory();
-  /// Restores a state; the run continues from there.
+  /// Restores a snapshot, from which the run continues.
   ///   alarms  as Control::restore()
   Status resume_from(const Memory& memory);
 
@@ -182,24 +190,24 @@ class ChannelRun {
 
   Control& control_;
   const Setup& setup_;
-  const bool knows_rates_;  // the rapid rates are known: a machine is selected, or the set-up states them
+  const bool knows_rates_;  // true: the rapid rates are known, as a machine is selected or the set-up states them
   const Outlets& outlets_;
   Logic& logic_;
   CornerResolver corners_;
   RadiusCompensation compensation_;
-  std::optional<QueuedCompensation> queued_;  // used instead of compensation_ if the control queues its contours
+  std::optional<QueuedCompensation> queued_;  // used instead of compensation_ if the control compensates a queue of motions
   VirtualMachine machine_;
   Rates rates_;
-  double lowest_rapid_rate_;               // the lowest rapid rate of all axes
-  TimeEstimate* clock_;                    // the clock in use: that of the outlets, or own_clock_; nullptr: no clock yet
-  std::optional<TimeEstimate> own_clock_;  // this object's own clock, created at the first query if the outlets have no clock
-  std::optional<LookAhead> look_ahead_;    // set if something limits the speed
+  double lowest_rapid_rate_;               // the lowest rapid rate of all axes, mm/min
+  TimeEstimate* clock_;                    // the clock in use, which is that of the outlets or own_clock_; nullptr: not created yet
+  std::optional<TimeEstimate> own_clock_;  // the clock of this object, created when a time is first needed and the outlets have no clock
+  std::optional<LookAhead> look_ahead_;    // the look-ahead; nullopt: nothing limits the speed
   Clocks now_;
   ActionBatch batch_;
-  // lets the control run in its own thread; set if nothing that comes after the control affects what it executes
+  // runs the control in its own thread; nullopt if a later room (path, machine) or the machine's logic can affect what the control executes
   std::optional<RunAhead> ahead_;
-  std::deque<RunAhead::Batch> to_come_;      // batches from a restored snapshot that the control had executed ahead
-  std::vector<AlarmReport> early_warnings_;  // warnings of the batch that was read last
+  std::deque<RunAhead::Batch> to_come_;      // batches from a restored snapshot, which are executed before the control continues
+  std::vector<AlarmReport> early_warnings_;  // warnings of the last batch that the control's thread has created
   unsigned steps_ = 0;
   std::uint64_t blocks_ = 0;
   Stopped stopped_;

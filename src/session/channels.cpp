@@ -1,4 +1,4 @@
-// Channels: runs the channels of one machine in parallel in virtual time (nct 1.2, 14.5). Used by cli.
+// Channels: runs the programs of all channels of one machine in parallel in virtual time (nct 1.2, 14.5). It is used by cli.
 
 #include "session/channels.h"
 
@@ -17,14 +17,14 @@
 namespace kadr {
 namespace {
 
-/// Creates the control of one channel. Returns a fault if the set-up does not fit the control.
+/// Creates the control of one channel. The returned fault is not empty if the set-up does not fit the control.
 SetupFault open_channel(Channel& channel, const ControlDef& def, Program program, RunLimits limits,
                         const std::shared_ptr<SharedMemory>& shared) {
   channel.control = std::make_unique<Control>(def, channel.setup, std::move(program), limits, shared);
   return channel.control->setup_fault();
 }
 
-/// Returns the folder in which a run that may not write files finds the files that its program calls.
+/// Returns the folder of the main program. A run that must not write files searches called programs there.
 std::string folder_of(const std::string& program) {
   const auto folder = std::filesystem::path(program).parent_path();
   return folder.empty() ? "." : folder.string();
@@ -65,7 +65,7 @@ tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef
   if (!setup.channels.empty() && !def.machine_axes()) return refused(texts::session::no_channels, def.id);
   if (setup.channels.contains(setup.channel)) return refused(texts::session::own_channel, setup.channel);
   const std::string file = program.file;
-  if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);  // the caller has not chosen a folder
+  if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);  // true: the caller has selected no folder
   const auto shared = setup.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
   std::vector<Channel> channels;
   const auto open = [&](int number, Setup own, Program its) -> tl::expected<void, ChannelsFault> {
@@ -113,7 +113,7 @@ Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile
     control.return_each_block();
     control.set_waiting(Control::Waiting::meet);
     runs_.push_back(std::make_unique<ChannelRun>(control, profile, channels[i].setup, outlets.own[i], logic_));
-    (void)runs_.back()->now();  // the first call of now() starts the clock of the channel
+    (void)runs_.back()->now();  // starts the clock of the channel: the time counts from the first call of now()
   }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     links_.relink(i);
@@ -133,7 +133,7 @@ std::size_t Channels::index_of(int number) const {
                                   channels_.begin());
 }
 
-/// Returns the running channel with the lowest virtual time.
+/// Returns the index of the running channel with the lowest virtual time; nullopt if no channel can run.
 std::optional<std::size_t> Channels::next() {
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < states_.size(); ++i)
@@ -179,8 +179,8 @@ void Channels::end() {
   show_past();
 }
 
-/// Copies tables and parameters that a block of channel `by` has changed to all channels. The change applies from the next block on,
-/// whichever channel executes it.
+/// Copies tables and parameters that a block of channel `by` has changed to all other channels. They apply from the next block on, in
+/// whichever channel that block is.
 void Channels::share(std::size_t by) {
   if (channels_[by].control->common_version() == common_[by]) return;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -189,7 +189,8 @@ void Channels::share(std::size_t by) {
   }
 }
 
-/// Moves the axes of other channels that follow the axes of channel `by`. Returns false if such an axis may not move and the run stops.
+/// Moves the axes of other channels that follow the axes of channel `by`. Returns false if a following axis must not move and the run
+/// therefore stops.
 bool Channels::carry(std::size_t by) {
   const Status carried = links_.carry(by);
   if (carried) return true;
@@ -252,15 +253,15 @@ Status Channels::resume_from(const Memory& memory) {
 
 void Channels::begin_waiting(std::size_t i) {
   const auto& meeting = channels_[i].control->meeting();
-  if (!meeting) return;  // no channel is waited for: the machine's logic has already cancelled the waiting
+  if (!meeting) return;  // the machine's logic has already cancelled the waiting, so the channel continues
   states_[i] = State::waiting;
-  if (only_) return;  // no other channel runs, so none can arrive at the waiting code
+  if (only_) return;  // no other channel runs, so no channel can arrive at the waiting code
   if (outlets_.waits) outlets_.waits(i, *meeting);
   rendezvous_.arrive(channels_[i].number, meeting->code, meeting->channels, now(i));
   while (const auto met = rendezvous_.next()) release(*met, i);
 }
 
-/// Lets the channels that have met continue together. The trace gets one line for all of them, from the channel that arrived last.
+/// Ends the waiting of the channels that have met. The trace gets one line for all these channels, from the channel that arrived last.
 void Channels::release(const Rendezvous::Met& met, std::size_t last) {
   const Origin origin = channels_[last].control->meeting()->origin;
   std::vector<std::size_t> all;
@@ -275,7 +276,7 @@ void Channels::release(const Rendezvous::Met& met, std::size_t last) {
   runs_[last]->show({origin, Sync{met.code, met.channels, met.at}});
 }
 
-/// Continues the channels whose waiting was cancelled by the signal CP_NOWT.
+/// Continues the channels whose waiting the signal CP_NOWT has cancelled. `at`: the present virtual time, s.
 void Channels::wake(double at) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (states_[i] != State::waiting || channels_[i].control->meeting()) continue;
@@ -286,8 +287,9 @@ void Channels::wake(double at) {
   }
 }
 
-/// Called when no channel can run, so that none can arrive at a waiting code: raises an alarm in each waiting channel.
-///   returns  true if the alarms were passed over (checking) and the channels continue
+/// Raises an alarm in each waiting channel. This function is called when no channel can run, so that no channel can arrive at a waiting
+/// code.
+///   returns  true if the observers ignore the alarms (in a check of the program), so that the channels continue
 bool Channels::end_deadlock() {
   bool goes_on = true;
   for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -319,8 +321,8 @@ void Channels::stop_all(std::size_t by) {
   }
 }
 
-/// Passes on the steps that begin before the present time of every channel. A waiting channel counts with the time of the earliest running
-/// channel, since only a running channel can release it.
+/// Passes to the observers all steps that begin before the present time of every channel. A waiting channel counts with the time of the
+/// earliest running channel, since only a running channel can end its waiting.
 void Channels::show_past() {
   std::vector<double> clocks(states_.size(), std::numeric_limits<double>::infinity());
   double lowest = std::numeric_limits<double>::infinity();

@@ -1,9 +1,9 @@
 #pragma once
-// Channels: runs the channels of one machine in parallel in virtual time (nct 1.2, 14.5).
+// Channels: runs the programs of all channels of one machine in parallel in virtual time (nct 1.2, 14.5).
 //
-//   The channel with the lowest virtual time runs its next block; if several have that time, the one with the lowest number. At a waiting
-//   code a channel stops until all channels listed in the word P have arrived; all continue at the time of the last arrival. The steps of
-//   all channels are passed to the observers in the order of virtual time.
+//   The channel with the lowest virtual time executes its next block. If several channels have the same time, the channel with the lowest
+//   number comes first. At a waiting code a channel waits until all channels that the word P lists have arrived. Then all of them continue
+//   at the time of the last arrival. The observers receive the steps of all channels in the order of virtual time.
 
 #include <deque>
 #include <functional>
@@ -24,37 +24,38 @@ struct Channel {
   std::unique_ptr<Control> control;
 };
 
-/// A set-up key that the control does not support, and the number of the channel concerned (0: there is only one channel).
+/// A set-up key that the control does not support, and the number of the channel concerned (0 if there is only one channel).
 struct ChannelsFault {
   SetupFault fault;
   int channel = 0;
 };
 
-/// Opens the program's own channel and the channels of the set-up, sorted by number. Channel n executes the file channelN.nct in the
-/// folder of the main program; subprograms are searched in that folder.
+/// Opens the program's own channel and the other channels of the set-up. The result is sorted by channel number. Channel n executes the
+/// file channelN.nct in the folder of the main program. Subprograms are searched in the same folder.
 tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef& def, const Setup& setup, Program program,
                                                                 RunLimits limits);
 
-/// Returns the initial set-up of a channel other than the program's own. Parameters, machine, panel and tool tables belong to the machine
-/// and are shared; offsets, work zeros, variables and positions belong to the channel and are all 0 at first (INFERRED).
+/// Returns the initial set-up of a channel other than the program's own. Parameters, machine, panel and tool tables belong to the machine,
+/// so all channels share them. Offsets, work offsets, variables and positions belong to the channel and are all 0 at first (INFERRED).
 Setup setup_of_channel(const Setup& main, int number);
 
-/// Observers of the channels: the outlets of each channel, by index; and the functions that receive the shown steps in the order of time.
+/// The observers of the channels: the outlets of each channel, by index, and the functions that receive the steps of all channels in the
+/// order of time.
 struct ChannelOutlets {
   std::vector<Outlets> own;
-  // an alarm that the observer does not pass over stops all channels (INFERRED); false: only the channel of the alarm stops (checking)
+  // true: an alarm that the observer does not ignore stops all channels (INFERRED); false: it stops only its own channel, as in a check
   bool stop_together = true;
   std::function<void(std::size_t channel, const Step&)> in_order;
-  /// Called when a channel starts waiting for others; all its earlier steps have been passed to the observers.
+  /// Called when a channel starts to wait for others. All its earlier steps have been passed to the observers before.
   std::function<void(std::size_t channel, const Control::Meeting&)> waits;
-  /// Called when channels continue after waiting: they have met, or a single channel no longer needs to wait.
+  /// Called when channels continue after waiting, because they have met or because the waiting of a single channel was cancelled.
   std::function<void(const std::vector<std::size_t>& channels)> met;
   /// Called when the program of a channel has ended.
   std::function<void(std::size_t channel)> over;
 };
 
-/// Sorts the steps of several channels by the time at which they begin. A step is passed on later than the machine executes it. Therefore
-/// each step is stored with the tool position at its beginning.
+/// Sorts the steps of several channels by the time at which they begin. A step is passed to the observers later than the machine executes
+/// it. Therefore each step is stored with the tool position at its beginning.
 class TimeOrder {
  public:
   explicit TimeOrder(std::size_t channels) : queues_(channels) {}
@@ -62,12 +63,14 @@ class TimeOrder {
   void put(std::size_t channel, const Step& step) { queues_[channel].push_back({++count_, KeptStep(step)}); }
 
   using Sink = std::function<void(std::size_t channel, const Step&)>;
-  /// Passes on the steps that no step added later can precede. `clocks`: for each channel, the earliest time of its next step.
+  /// Passes to `sink` all stored steps that no later step can precede. `clocks`: for each channel, the earliest time at which its next step
+  /// can begin, s.
   void release(const std::vector<double>& clocks, const Sink& sink);
 
  private:
   struct Entry {
-    std::uint64_t number;  // counts the steps; of steps with equal times, the one with the lower number comes first
+    // number of the step in the order of arrival; of two steps with equal times, the one with the lower number comes first
+    std::uint64_t number;
     KeptStep kept;
     double at() const { return kept.begins; }
     bool before(const Entry& other) const { return at() < other.at() || (at() == other.at() && number < other.number); }
@@ -78,37 +81,38 @@ class TimeOrder {
 
 class Channels {
  public:
-  /// `profile`, `setup`: the profile and the set-up of the machine.
+  /// `profile`: the machine. `setup`: the set-up of the machine; each channel has its own set-up in `channels`.
   Channels(std::vector<Channel>& channels, const MachineProfile& profile, const Setup& setup, ChannelOutlets& outlets);
   ~Channels();
-  Channels(const Channels&) = delete;  // the controls call back this object
+  Channels(const Channels&) = delete;  // not copyable: the controls have pointers to this object
   Channels& operator=(const Channels&) = delete;
 
-  /// Executes the next block of the channel with the lowest virtual time.
+  /// Executes the next block of the running channel with the lowest virtual time.
   ///   returns  ended if no channel can continue
   ChannelRun::State step();
-  /// How each channel ended, by index of the channel.
+  /// Returns how each channel ended, by index of the channel.
   const std::vector<Stopped>& stopped() const { return stopped_; }
 
   double now(std::size_t channel) { return runs_[channel]->now(); }
   double waited(std::size_t channel) const { return runs_[channel]->waited(); }
   const ToolPosition& position(std::size_t channel) const { return runs_[channel]->position(); }
-  /// Called when the axes of a channel have been moved by hand.
+  /// Declares that the axes of a channel have been moved by hand to the position `machine`, in machine coordinates.
   void stand_at(std::size_t channel, const Axes& machine) { runs_[channel]->stand_at(machine); }
-  /// Called when a line has been entered in this channel: only this channel runs until all() is called.
+  /// Stops all channels except `channel` until the call of all(). To be called when the operator has entered a line in that channel.
   void only(std::size_t channel);
-  /// Lets all channels run again. An alarm that stopped the single channel counts as acknowledged.
+  /// Lets all channels run again. An alarm that stopped the single running channel counts as acknowledged.
   void all();
-  /// If on, a channel that is held stays held while the others continue, until each is held, waiting or ended.
+  /// `on`: a held channel stays held while the other channels continue, until every channel is held, waiting or ended.
   void hold_each(bool on) { each_holds_ = on, held_.assign(held_.size(), false); }
-  /// Receives a step from an outlet. The step is passed on when the virtual time of all channels has reached the beginning of the step.
+  /// Stores a step that comes from an outlet. The observers receive the step when the virtual time of all channels has reached its
+  /// beginning.
   void show(std::size_t channel, const Step& step) { order_.put(channel, step); }
 
  private:
   enum class State : std::uint8_t { running, waiting, ended, stopped };
 
  public:
-  /// Everything that determines how the channels continue, as a value.
+  /// A snapshot of everything that determines how the channels continue.
   struct Memory {
     std::vector<ChannelRun::Memory> runs;
     Plc plc;
@@ -147,12 +151,12 @@ class Channels {
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;
   TimeOrder order_;
-  // by channel: version of the shared data at the last instant at which the data of all channels agreed
+  // by channel: version of the shared tables and parameters when all channels last had the same ones
   std::vector<std::uint64_t> common_;
   bool over_ = false;
   bool each_holds_ = false;
-  std::vector<bool> held_;  // by channel: true if the channel is held; used if each_holds_
-  /// The channel that runs alone, and the states of all channels before that.
+  std::vector<bool> held_;  // by channel: true if the channel is held; used only if each_holds_
+  /// The channel that runs alone, and the states of all channels before the others were stopped.
   struct Only {
     std::size_t channel;
     std::vector<State> states;

@@ -1,5 +1,5 @@
-// Stores snapshots of a run at regular numbers of blocks, to reach blocks in long programs quickly; tested by
-// tests/session/checkpoints_test.cpp.
+// Checkpoints: stores snapshots of a run at regular numbers of blocks, so that any block of a long program is reached quickly. It is tested
+// by tests/session/checkpoints_test.cpp.
 
 #include "session/checkpoints.h"
 
@@ -30,7 +30,7 @@ Session::State Checkpoints::run() {
   return state;
 }
 
-/// Starts a new segment after a snapshot. The line marks collected so far belong to the previous segment.
+/// Stores a snapshot, which starts a new segment. The line marks collected so far belong to the segment before the snapshot.
 void Checkpoints::keep() {
   auto now = session_.snapshot();
   if (!now) return;
@@ -53,7 +53,7 @@ void Checkpoints::thin_out() {
 bool Checkpoints::may_hold(const LineMarks& marks, const StopPoint& target) const {
   if (target.line == 0) return true;
   if (target.file.empty()) return marks.may_hold(0, target.line);
-  return true;  // the number of the file is not known before the file is called, so any segment may contain the line
+  return true;  // true: the number of a called file is not known before the call, so any segment may contain the line
 }
 
 Result<Session::State> Checkpoints::reach(Stepping& stepping, const StopPoint& target) {

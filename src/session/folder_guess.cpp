@@ -1,5 +1,5 @@
-// FolderGuess: guesses the controls of programs from their texts and from the programs in their folders. Used by cli/job/guessed_control
-// and view/opening; tested by tests/guess.py, tests/serve_guess.py.
+// FolderGuess: guesses the controls of programs from their texts and from the programs in their folders. It is used by
+// cli/job/guessed_control and view/opening, and tested by tests/guess.py and tests/serve_guess.py.
 
 #include "session/folder_guess.h"
 
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t whole_sample = 256 << 10;
-constexpr std::size_t short_sample = 16 << 10;  // bytes read from a neighbouring program
+constexpr std::size_t short_sample = 16 << 10;  // number of bytes that are read from a neighbouring program
 
 std::optional<std::string> sample_of(OpenedText opened, std::size_t most) {
   if (!opened.source) return std::nullopt;
@@ -27,12 +27,12 @@ std::optional<std::string> sample_of(OpenedText opened, std::size_t most) {
   const std::string_view sample = reader.sample().substr(0, most);
   const auto encoding = opened.encoding ? opened.encoding : detect_encoding(sample);
   std::string text;
-  if (encoding) (void)append_utf8(sample, *encoding, text);  // converts the text up to the first invalid byte
+  if (encoding) (void)append_utf8(sample, *encoding, text);  // the result is ignored: `text` then ends before the first invalid byte
   else text = sample;
   return text;
 }
 
-/// Returns the paths of regular files of a folder, sorted. The paths begin with `folder` as it is given.
+/// Returns the paths of the regular files of a folder, sorted. The paths begin with `folder` in the form in which the caller states it.
 std::vector<std::string> files_of(const std::string& folder, std::size_t most, const std::function<bool(const fs::path&)>& fits) {
   std::vector<std::string> names;
   std::error_code error;
@@ -44,14 +44,15 @@ std::vector<std::string> files_of(const std::string& folder, std::size_t most, c
   return names;
 }
 
-/// Returns the rows of section [guess] in the control files of the folder, so that a factory's own control can be guessed too.
+/// Returns the rows of section [guess] in the control files of the folder. With these rows a factory's own control can be guessed too.
 std::vector<GuessRows> own_rows(const std::string& folder, const FileAccess* door) {
   constexpr std::size_t max_files = 100;
   std::vector<GuessRows> all;
   for (const std::string& file : files_of(folder, max_files, [](const fs::path& path) { return path.extension() == ".toml"; })) {
     const auto text = read_file(file, limits::config_file_bytes, door);
     if (!text || text->find("[guess]") == std::string::npos) continue;
-    const auto table = toml_tools::parsed(*text, file);  // errors of the file are reported when the file is used as a control
+    // errors of the file are ignored here; they are reported when the user selects the file as a control
+    const auto table = toml_tools::parsed(*text, file);
     const toml::table* const guess = table && table->contains("id") ? (*table)["guess"].as_table() : nullptr;
     auto rows = guess == nullptr ? tl::unexpected<std::string>("") : guess_rows_of(*guess, file);
     if (!rows) continue;
@@ -63,14 +64,14 @@ std::vector<GuessRows> own_rows(const std::string& folder, const FileAccess* doo
 
 std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
 
-/// Returns the part of a path that may be evidence for a control: the names of the folder and the file, as in "/folder/part.nc".
+/// Returns the last two names of a path, which may be evidence for a control: folder and file, as in "/folder/part.nc".
 std::string called(const std::string& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error).lexically_normal();
   return "/" + whole.parent_path().filename().string() + "/" + whole.filename().string();
 }
 
-/// Returns some programs of the folder that are not in `but`: those next to the first file of `but` in alphabetical order.
+/// Returns some programs of the folder that are not in `but`. They are the neighbours of the first file of `but` in alphabetical order.
 std::vector<std::string> others_near(const std::string& folder, const std::vector<std::string>& but) {
   constexpr std::size_t max_looked_at = 2000, most = 12;
   const auto names = files_of(folder, max_looked_at, [](const fs::path& path) {
@@ -118,7 +119,8 @@ void FolderGuess::take(const std::string& file, std::size_t max_bytes) {
   if (max_bytes == whole_sample) try_guess(guess, *text);
 }
 
-/// Reads other programs of the folder if only a few of its programs are given and the control of one of them is uncertain.
+/// Reads some other programs of the folder, unless many of its programs are given or the controls of all given programs are certain. `of`:
+/// the given programs of the folder.
 void FolderGuess::take_neighbours(const std::string& folder, const std::vector<std::string>& of) {
   constexpr std::size_t many = 12;
   const bool sure = std::all_of(of.begin(), of.end(), [this](const std::string& file) { return guesses_[file].decisive; });
@@ -141,13 +143,13 @@ void FolderGuess::take_folder(const std::string& folder, const std::vector<std::
   folders_[folder] = found;
 }
 
-/// Returns the control for which a single file of the folder of `file`, or of a folder above, is evidence; else the control that the files
-/// of the folder suggest together. Returns nullopt if the files of a folder disagree.
+/// Returns the control for which a single file is decisive evidence, in the folder of `file` or in the nearest folder above. Otherwise
+/// returns the control that the files of the folder of `file` suggest together. Returns nullopt if the files of a folder disagree.
 std::optional<FolderGuess::Neighbours> FolderGuess::neighbours_of(const std::string& file) const {
   const std::string own = folder_of(file);
   for (fs::path folder = own;; folder = folder.parent_path()) {
     const auto found = folders_.find(folder.string());
-    if (found == folders_.end()) return std::nullopt;  // the files of the folder disagree
+    if (found == folders_.end()) return std::nullopt;  // the files of the folder disagree, so no control is assumed
     if (!found->second.file.empty()) return found->second;
     if (!folder.has_relative_path() || folder == folder.parent_path()) break;
   }

@@ -1,4 +1,4 @@
-// Copies values from a machine's file into the set-up. Used by session; tested by tests/session/give_machine_test.cpp.
+// Copies values from a machine's file into the set-up. This file is used by session and tested by tests/session/give_machine_test.cpp.
 
 #include "session/give_machine.h"
 
@@ -24,7 +24,8 @@ bool has_kinematics(const Setup& setup) {
                      [](const auto& given) { return given.first.name >= first_parameter && given.first.name <= last_parameter; });
 }
 
-/// Returns axis names: X, Y, Z first, then the other axes of the chains, from the link that carries to the link that is carried.
+/// Returns the names of the machine's axes: X, Y and Z first, then the other axes of the kinematic chains. In each chain, an axis comes
+/// before the axes that it carries.
 std::vector<std::string> axes_of(const MachineProfile& profile) {
   std::vector<std::string> axes = {"X", "Y", "Z"};
   for (const auto* chain : {&profile.chains.tool, &profile.chains.part})
@@ -33,12 +34,12 @@ std::vector<std::string> axes_of(const MachineProfile& profile) {
   return axes;
 }
 
-/// The value of parameter N3205: the code for the direction of a line, and the inclination of the line. A line in none of the three planes
+/// The direction of a line as parameter N3205 states it: a code, and an inclination in degrees. A line outside the three coordinate planes
 /// has no code (nct 25.1, spec/nct/25a 3).
 struct DirectionCode {
   int code = 0;
   double inclination = 0;
-  bool turned = false;  // the code means the opposite direction
+  bool turned = false;  // true: the code means the opposite direction
 };
 std::optional<DirectionCode> code_of(Vec3 d) {
   const double parts[] = {d.x, d.y, d.z};

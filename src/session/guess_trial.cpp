@@ -1,4 +1,4 @@
-// guess_trial: compares possible controls by reading the beginning of the program. Used by session/folder_guess; tested by
+// guess_trial: compares possible controls by running the beginning of the program on each. It is used by session/folder_guess and tested by
 // tests/guess.py.
 
 #include "session/guess_trial.h"
@@ -17,7 +17,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t lines_tried = 200;
-constexpr std::uint64_t blocks_tried = 1000;  // number of blocks that are executed, including repetitions in loops and subprograms
+constexpr std::uint64_t blocks_tried = 1000;  // greatest number of blocks that are executed, including repetitions in loops and subprograms
 constexpr std::size_t max_bytes = 16384;
 
 std::string beginning_of(std::string_view sample) {
@@ -30,14 +30,14 @@ std::string beginning_of(std::string_view sample) {
   return std::string(sample.substr(0, end));
 }
 
-/// True if the alarm shows that the program is for another control: it concerns characters, codes or words. Other alarms depend on the
-/// machine, the set-up, or on files that are missing here.
+/// True if the alarm shows that the program is for another control, that is, if it concerns characters, codes or words. Other alarms depend
+/// on the machine, the set-up or files that are not available here, so they are ignored.
 bool is_of_language(const Alarm& alarm) {
   if (alarm.severity != Severity::alarm) return false;
   return alarm.id <= AlarmId::not_together && alarm.id != AlarmId::program_start_missing && alarm.id != AlarmId::end_of_block_missing;
 }
 
-/// Lets `control` read the text. Returns the number of different alarms that show that the text is for another control.
+/// Executes the text on the control `control`. Returns the number of different alarms that show that the text is for another control.
 std::size_t faults_of(const std::string& control, const std::string& text) {
   auto def = load_control(control);
   auto machine = load_machine("generic");

@@ -1,6 +1,6 @@
 #pragma once
-// guess_trial: improves an uncertain guess of a control. Each possible control reads the beginning of the program; a control that knows
-// all codes and words there is preferred to one that does not.
+// guess_trial: improves an uncertain guess of a control. Each possible control executes the beginning of the program. A control that knows
+// all codes and words there is preferred to a control that does not.
 
 #include <string_view>
 
@@ -8,8 +8,8 @@
 
 namespace kadr {
 
-/// Does not change the guess if it is certain, or if Kadr cannot read files of this kind.
-///   sample  the beginning of the program, UTF-8; only some hundred lines are read
+/// Changes the guess only if it is uncertain and at least two controls are possible.
+///   sample  the beginning of the program in UTF-8; only the first 200 lines are used
 void try_guess(Guess& guess, std::string_view sample);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Planned: plans the axes of one channel in time with the least-time planner (docs/planner.md). Used by cli/run_view.
+// Planned: plans the motion of one channel's axes in time with the least-time planner (docs/planner.md). It is used by cli/run_view.
 
 #include "session/planned.h"
 

@@ -1,4 +1,4 @@
-// Player: plays a session in the machine's time. Used by embedding programs; tested by tests/session/player_test.cpp.
+// Player: plays a session in the machine's time. It is used by embedding programs and tested by tests/session/player_test.cpp.
 
 #include "session/player.h"
 
@@ -13,7 +13,7 @@ Player::Player(Session& session, double rate)
 
 Player::~Player() { planned_.on_cells = nullptr; }
 
-/// Offers the first stored cells of the plan to the playback. Returns false if not all of them fit.
+/// Passes the first stored cells of the plan to the playback. Returns false if the playback has no space for all of them.
 bool Player::offer() {
   const TimedCells& cells = to_come_.front();
   offered_ += playback_.offer(cells, offered_);
@@ -24,8 +24,8 @@ bool Player::offer() {
   return true;
 }
 
-/// Provides enough cells of the plan for the next instant, so that the playback does not brake for lack of cells. No further cells are
-/// offered, so that a feed hold has the same result however far the session is ahead.
+/// Passes enough cells of the plan to the playback for the next instant, so that the axes do not brake for lack of cells. Further cells are
+/// not passed. Therefore a feed hold has the same effect, no matter how far the session has been executed in advance.
 void Player::provide() {
   constexpr double enough = 3 * Playback::reserve;
   while (true) {

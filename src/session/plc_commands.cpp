@@ -1,4 +1,4 @@
-// Passes the commands of the machine's logic (machine/plc) to the controls of its channels. Used by session/channel_run.
+// Passes the commands of the machine's logic (machine/plc) to the controls of its channels. This file is used by session/channel_run.
 
 #include "session/plc_commands.h"
 
@@ -17,7 +17,7 @@ void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Con
                         [&](const Synchronise& coupled) { each([&](Control& c) { c.synchronise(coupled.slave, coupled.master); }); },
                         [&](const CoupleAxes& axes) { each([&](Control& c) { c.couple_axes(axes.axes, axes.link, axes.on); }); },
                         [&](const ConvertSpindle& one) { each([&](Control& c) { c.convert_spindle(one.number, one.to_axis); }); },
-                        // Start is ignored, since the virtual operator presses START at once anyway
+                        // The command Start is ignored, since the virtual operator presses START at once in any case.
                         [&](const PowerCycle&) { each([](Control& c) { c.power_cycle(); }); }, ignores<Start>},
                command);
   }

@@ -9,8 +9,8 @@
 
 namespace kadr {
 
-/// Applies the commands. Signals, switches and spindles belong to the machine, so every channel's control receives them (INFERRED). An
-/// answer goes only to the control that asked the question, `from`.
+/// Executes the commands. Signals, switches and spindles belong to the machine, so the control of every channel receives them (INFERRED).
+/// An answer goes only to `from`, the control that asked the question.
 void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Control* const> channels);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Executes a program and returns its motions in work coordinates. Used by cli/mill.
+// Executes a program and returns its motions in work coordinates. This file is used by cli/mill.
 
 #include "session/program_moves.h"
 
@@ -37,7 +37,7 @@ Result<std::vector<Move>> program_moves(const ControlDef& def, const std::string
     if (state == Control::State::stopped) return fail(control.report().alarm);
     if (state != Control::State::running) break;
   }
-  // removes the first motion, which goes straight up from an unknown position of the tool
+  // removes the first motion, which goes straight up from an unknown position
   if (!moves.empty()) moves.erase(moves.begin());
   return moves;
 }

@@ -1,4 +1,4 @@
-// Restart in mid program. Used by the panel and embedding programs; tested by tests/session/restart_test.cpp.
+// Restart in mid-program. This file is used by the panel and embedding programs, and tested by tests/session/restart_test.cpp.
 
 #include "session/restart.h"
 
@@ -17,8 +17,7 @@ bool same_value(const InForce& a, const InForce& b) {
   return a.code == b.code && std::fabs(a.value - b.value) <= tol::same_point * (1 + std::fabs(a.value));
 }
 
-/// True if two positions differ in an axis other than the normal of the plane. The caller counts a drilled hole at a position over which
-/// the tool moves down. If the tool is over the first hole already, that hole begins at the R level.
+/// True if two positions differ in any of the first `axes` axes except `normal`, the axis normal to the plane.
 bool is_beside(const Axes& a, const Axes& b, std::size_t axes, std::size_t normal) {
   for (std::size_t i = 0; i < axes; ++i)
     if (i != normal && std::fabs(a[i] - b[i]) > tol::same_point) return true;
@@ -34,22 +33,23 @@ std::optional<Restart> restart_here(Session& session, const Stepping& stepping) 
 
 bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart) {
   Control& control = session.control();
-  control.return_each_block();  // then a canned cycle passes one motion at a time
+  control.return_each_block();  // makes a canned cycle pass one motion at a time, so that each hole is seen
   const std::size_t axes = control.axes().size(), normal = control.plane_normal();
   std::optional<Axes> over;
   std::uint32_t holes = 0;
   bool went_down = false;
-  double level = 0;  // depth of the first motion down
+  double level = 0;  // coordinate at the end of the first motion down
   Axes last = control.tool_position().work;
   Session::State state = stepping.begin_block();
   while (state == Session::State::running && control.in_block()) {
     const Axes now = control.tool_position().work;
     const bool moved_down = !is_beside(now, last, axes, normal) && std::fabs(now[normal] - last[normal]) > tol::same_point;
-    // a cycle may begin with a motion up to the R level, whose end is not the position of a hole
+    // A cycle may begin with a motion up to the R level. The position of that motion is not counted as a hole.
     const bool rises = moved_down && now[normal] > last[normal];
     if (!over && !rises) over = now, holes = 1;
     else if (over && !is_beside(now, *over, axes, normal) && !std::exchange(went_down, true)) level = now[normal];
-    const bool is_out = now[normal] >= level - tol::same_point;  // at the bottom of the hole the tool does not move to another hole
+    // false at the bottom of a hole: a sideways motion there does not lead to another hole
+    const bool is_out = now[normal] >= level - tol::same_point;
     if (went_down && is_out && is_beside(now, *over, axes, normal)) over = now, ++holes, went_down = false;
     if (holes == hole) {
       restart.in_force = control.in_force();
@@ -114,7 +114,7 @@ std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, con
   next[n] = std::min(at[n], near);
   if (at[n] > near) go(next, normal, true);
   next[n] = end;
-  go(next, normal, at[n] < end);  // the motion is a rapid if it leads upwards, since the tool is then out of the material
+  go(next, normal, at[n] < end);  // an upward motion is a rapid, since it leads away from the material
   return way;
 }
 
@@ -129,7 +129,7 @@ std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& way, con
   };
   for (const WayPoint& point : way) add(point);
   const bool none_along = std::none_of(blocks.begin(), blocks.end(), [](const BlockMove& block) { return block.along_tool; });
-  // a block without travel, which makes the tool length offset effective
+  // Adds a block without travel, which makes the tool length offset effective.
   if (!way.empty() && none_along) add({true, normal, way.back().machine, 0});
   return blocks;
 }

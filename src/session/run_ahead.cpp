@@ -1,5 +1,5 @@
-// RunAhead: runs the control in its own thread, so that it interprets the next batches while path and machine process the last one
-// (docs/architecture.md, "Threads"). Used by session/channel_run.
+// RunAhead: runs the control in its own thread. The control creates the next batches while path and machine process the last batch
+// (docs/architecture.md, "Threads"). RunAhead is used by session/channel_run.
 
 #include "session/run_ahead.h"
 
@@ -15,7 +15,8 @@ RunAhead::~RunAhead() {
   thread_.wait();
 }
 
-/// Signals that the condition for which the other thread waits may have become true.
+/// Wakes the other thread, since the condition for which it waits may have become true. On a single processor the missing batches are
+/// created here.
 void RunAhead::give_way() {
   if (beside_) {
     news_.fetch_add(1, std::memory_order_release);
@@ -45,8 +46,8 @@ void RunAhead::work() {
   }
 }
 
-/// Creates the next batch in the thread that can run the control first. So the thread that needs the batch need not wait until the other
-/// thread is scheduled.
+/// Creates the next batch, or waits while the other thread runs the control. Either thread may create a batch. So the thread that needs the
+/// batch does not wait until the operating system schedules the other thread.
 template <class Wanted>
 void RunAhead::make_or_wait(const Wanted& wanted) {
   if (in_hand_.exchange(1, std::memory_order_acquire) != 0)

@@ -1,12 +1,12 @@
 #pragma once
-// RunAhead: runs the control in its own thread, so that it interprets the next batches of actions while path and machine process the last
-// one (docs/architecture.md, "Threads").
+// RunAhead: runs the control in its own thread. The control creates the next batches of actions while path and machine process the last
+// batch (docs/architecture.md, "Threads").
 //
-//   control            batch k+1 · k+2 · … · k+depth, then it waits
-//   path and machine   batch k
+//   control            creates the batches k+1 · k+2 · … · k+depth, then waits
+//   path and machine   process batch k
 //
-// When the control is queried, it is equally far ahead in every run: `depth` batches, or as far as it can go. On a single processor there
-// is no thread; the caller's thread runs the control equally far ahead.
+// When the control is queried, it has executed equally much in every run: `depth` batches more than path and machine, or as many as it can.
+// On a single processor there is no second thread. Then the caller's thread creates the same batches in advance.
 
 #include <array>
 #include <atomic>
@@ -27,32 +27,33 @@ class RunAhead {
 
   /// Starts the control, which runs until it needs an answer. From now on the control may be queried only after settle().
   void start();
-  /// True while batches are ready or still to be created.
+  /// True while batches are available or can still be created.
   bool is_going() const { return going_; }
 
-  /// A batch of actions, with its warnings and the state of the control after it.
+  /// A batch of actions, with the warnings during its creation and the control's state after it.
   struct Batch {
     ActionBatch actions;
     Control::State state = Control::State::running;
-    bool wants_answers = false;  // after this batch the control needs the outcome of each block
+    bool wants_answers = false;  // true: the control cannot continue until it knows the outcome of each block
     std::vector<AlarmReport> warnings;
     std::exception_ptr failure;
     bool is_last() const { return state != Control::State::running || wants_answers || failure; }
   };
-  /// Returns the next batch: swaps its actions with `actions`, whose memory is used again, and moves its warnings to `warnings`.
+  /// Returns the control's state after the next batch. The actions of the batch are swapped with `actions`, whose memory is reused, and the
+  /// warnings with `warnings`.
   Control::State take(ActionBatch& actions, std::vector<AlarmReport>& warnings);
-  /// Waits until the control's thread has stopped, as far ahead as it may run.
+  /// Waits until the control has created as many batches as it may, and has stopped.
   void settle();
-  /// Appends to `to` the batches that are created and not taken yet, in order. The control must be stopped (settle()).
+  /// Appends to `to`, in order, the batches that take() has not returned yet. The control must have stopped: call settle() first.
   void add_to_come(std::vector<Batch>& to) const;
-  /// Drops the batches that are created and not taken yet. Called when the control has been set to another position.
+  /// Drops the batches that take() has not returned yet. To be called before the control is set to another state.
   void forget();
-  /// Stores a warning of the control until its batch is taken. Returns false if the control is not running ahead.
+  /// Stores a warning of the control with the batch that is being created. Returns false if no batch is being created.
   bool keep(const AlarmReport& warning);
 
  private:
   static constexpr std::uint64_t depth = 16;
-  static constexpr std::uint64_t worth_waking = depth / 2;  // the thread is woken when at least this many batches are to be created
+  static constexpr std::uint64_t worth_waking = depth / 2;  // least number of missing batches for which the thread is woken
 
   void work();
   void make();
@@ -63,18 +64,18 @@ class RunAhead {
 
   Control& control_;
   std::array<Batch, depth> ring_;
-  Batch* in_work_ = nullptr;  // the batch being created; used by the thread that runs the control
-  bool going_ = false;        // used by the caller's thread only
-  std::uint64_t taken_ = 0;   // number of batches taken; used by the caller's thread only
-  Thread thread_;             // started with the first batch
-  bool beside_;               // there is a second processor, for the thread
+  Batch* in_work_ = nullptr;  // the batch that is being created; only for the thread that runs the control
+  bool going_ = false;        // only for the caller's thread
+  std::uint64_t taken_ = 0;   // number of batches that take() has returned; only for the caller's thread
+  Thread thread_;             // started when the first batch is requested
+  bool beside_;               // true: a second processor is available for the thread
 
-  std::atomic<std::uint64_t> allowed_ = 0;  // total number of batches that may be created so far
+  std::atomic<std::uint64_t> allowed_ = 0;  // number of batches, counted from the start, up to which batches may be created
   std::atomic<std::uint64_t> made_ = 0;
-  std::atomic<bool> stands_ = true;         // true: the final batch has been created, or creation has not started
+  std::atomic<bool> stands_ = true;         // true: no batch may be created, as the final batch exists or creation has not started
   std::atomic<std::uint32_t> in_hand_ = 0;  // 1: one of the two threads is running the control
   std::atomic<bool> over_ = false;
-  std::atomic<std::uint32_t> news_ = 0;  // counter on whose change the waiting thread continues
+  std::atomic<std::uint32_t> news_ = 0;  // counter of events; the waiting thread continues when it changes
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// Session: opens and runs a session, and stores and restores its state. Used by cli, fuzz, bench and embedding programs; tested by
-// tests/session.
+// Session: opens and runs a session, and stores and restores its state. It is used by cli, fuzz, bench and embedding programs, and tested
+// by tests/session.
 
 #include "session/session.h"
 
@@ -29,7 +29,8 @@ Session::Session(SessionSpec spec) : spec_(std::move(spec)) {}
 Session::~Session() = default;
 
 tl::expected<std::unique_ptr<Session>, ChannelsFault> Session::open(SessionSpec spec) {
-  auto session = std::unique_ptr<Session>(new Session(std::move(spec)));  // the constructor is private
+  // std::make_unique cannot be used, since the constructor is private
+  auto session = std::unique_ptr<Session>(new Session(std::move(spec)));
   give_machine(session->spec_.setup, session->spec_.machine, *session->spec_.control);
   if (!session->spec_.setup.search.empty() && !session->spec_.setup.channels.empty())
     return tl::unexpected(ChannelsFault{start_fault_of("search", texts::session::search_in_channels), 0});
@@ -55,7 +56,8 @@ std::optional<SpeedRules> Session::look_ahead() {
   const Control& control = *channels_.front().control;
   SpeedRules rules = speed_rules(channels_.front().setup, control.axes(), spec_.machine);
   if (control.has_machine_parameters()) obey_parameters(rules, channels_.front().setup, control.axes());
-  else rules.blend = spec_.machine.tolerance;  // INFERRED: the corner tolerance, as for every control that states no limit at corners
+  // INFERRED: the corner tolerance applies to every control that states no limit of speed changes at corners
+  else rules.blend = spec_.machine.tolerance;
   if (rules.in_force) rules_ = rules;
   return rules_;
 }
@@ -79,7 +81,7 @@ void Session::attach_planners() {
   }
 }
 
-/// Connects the control, the machine and the observers, once the observers are known.
+/// Connects the control, the machine and the observers. This function is called when the observers are known.
 void Session::begin() {
   begun_ = true;
   attach_planners();
@@ -123,9 +125,9 @@ Session::State Session::together(ChannelRun::State state) {
   return stood ? State::stopped : State::ended;
 }
 
-/// Starts the program at the block that the set-up's key `search` names, as the control's own block search does (nct 13.1). INFERRED: the
-/// manual does not say how the axes get to the start of that block; they are placed there without a motion.
-///   returns  nullopt if the run continues; else the state in which it stopped
+/// Starts the program at the block that the key `search` of the set-up names, as the control's own block search does (nct 13.1). INFERRED:
+/// the manual does not say how the axes move to the start of that block, so they are placed there without a motion.
+///   returns  nullopt if the run continues; otherwise the state in which it stopped
 std::optional<Session::State> Session::begin_by_search() {
   const auto asked = std::exchange(control().holds_before, nullptr);
   const std::vector<InForce> at_first = control().in_force();

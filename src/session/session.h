@@ -7,9 +7,9 @@
 //   while ((*session)->go_on() == Session::State::running) {}
 //
 //   program ─▶ ChannelRun (control → path → machine) ─▶ Steps ─▶ outlets ─▶ LookAhead ─▶ outlets, with the time the machine takes
-//                                                            └─▶ Planned: axes in time, samples
+//                                                           └─▶ Planned: axes in time, samples
 //
-// The whole state that determines how the run continues can be copied and restored: snapshot(), restore().
+// The whole state that determines how the run continues can be stored and restored: snapshot(), restore().
 
 #include <memory>
 #include <optional>
@@ -29,10 +29,10 @@ struct SessionSpec {
   MachineProfile machine;
   Setup setup;
   Program program;
-  RunLimits limits{};  // RunLimits::stop ends a run early
+  RunLimits limits{};  // limits of the run; RunLimits::stop can end the run early
 };
 
-/// A stored state of a session. It is cheap to copy, since copies share the content.
+/// A stored state of a session. A copy needs little time and memory, since all copies share the same content.
 class SessionSnapshot {
  public:
   struct Content;
@@ -48,7 +48,7 @@ class Session {
   /// Opens a session. Returns an error if the set-up has a key that the control does not support.
   static tl::expected<std::unique_ptr<Session>, ChannelsFault> open(SessionSpec spec);
   ~Session();
-  Session(const Session&) = delete;  // the members of a session point to each other
+  Session(const Session&) = delete;  // not copyable: the members of a session contain pointers to each other
   Session& operator=(const Session&) = delete;
 
   // ---- the parts of a session
@@ -58,26 +58,27 @@ class Session {
   /// All channels, sorted by channel number.
   std::vector<Channel>& channels() { return channels_; }
   const std::vector<Channel>& channels() const { return channels_; }
-  /// Index of the channel that runs the program itself. The other channels run the programs that the set-up assigns to them.
+  /// Index of the channel that runs the program itself. Each other channel runs a program that the set-up assigns to it.
   std::size_t own() const { return own_; }
   Control& control() { return *channels_[own_].control; }
   const Control& control() const { return *channels_[own_].control; }
-  /// The control, for an outlet that queries it in the middle of a step. The control may run ahead in its own thread; this call waits
-  /// until that thread has stopped.
+  /// Returns the control, for an outlet that queries it in the middle of a step. The control may run in its own thread, so the function
+  /// first waits until that thread has stopped.
   Control& settled_control();
 
   // ---- the observers; they must be set before the first go_on()
   Outlets& outlets(std::size_t channel) { return outlets_.own[channel]; }
   Outlets& outlets() { return outlets(own_); }
   ChannelOutlets& together() { return outlets_; }
-  /// Makes Outlets::timed receive the steps with the time that the machine really takes, if something limits the speed. For a single
-  /// channel only.
-  ///   returns  the rules that limit the speed; nullopt if there are none, so that the programmed times are valid
+  /// Limits the speeds from now on: Outlets::timed receives the steps with the time that the machine really needs. The function may be
+  /// called only if there is a single channel.
+  ///   returns  the rules that limit the speed; nullopt if nothing limits it, so that the programmed times are the real ones
   std::optional<SpeedRules> look_ahead();
-  /// Creates a planner that plans the axes of a channel in time (least time).
+  /// Creates a planner for the axes of a channel, which plans the motions in least time.
   Planned& plan(std::size_t channel, const StopToken& stop = {});
   Planned* planned(std::size_t channel) { return planned_[channel].get(); }
-  /// With several channels: passes this step on as soon as the virtual time of all channels has reached it.
+  /// Passes this step to the observers when the virtual time of all channels has reached it. The function may be called only if there are
+  /// several channels.
   void show(std::size_t channel, const Step& step) { channels_run_->show(channel, step); }
 
   // ---- running the session
@@ -87,52 +88,54 @@ class Session {
     stopped,  // an alarm has stopped the session, see stopped()
     ended,
   };
-  /// Executes the next actions that the control passes together: some dozen actions of a single channel, or one block of the channel with
-  /// the lowest virtual time.
+  /// Executes the next batch of actions: some dozen actions of a single channel, or one block of the channel with the lowest virtual time.
   State go_on();
-  /// Calls go_on() until it returns a state other than running.
+  /// Calls go_on() until the session is held, stopped or ended.
   State run();
-  /// Declares that no step follows: steps that are kept back for look-ahead are passed on as if the program ended here. For a single
-  /// channel only.
+  /// Declares that no step follows. Steps that are stored for look-ahead are passed to the outlets as if the program ended here. The
+  /// function may be called only if there is a single channel.
   State stop_here();
-  /// Acknowledges the alarm that stopped the run. The run continues with the next block, as after a reset of the control.
+  /// Acknowledges the alarm that stopped the run. Then the run continues with the next block, as after a reset of the control.
   void acknowledge() { acknowledge(own_); }
   void acknowledge(std::size_t channel);
-  /// Enters a line of the operator (MDI). It is executed next, even after the end of the program or an alarm; then the program continues.
+  /// Enters a line of the operator (MDI). The line is executed next, even after the end of the program or an alarm. Then the program
+  /// continues.
   ///   pre  the session is held, stopped or ended, and not in the middle of a block (Control::in_block)
   void enter(const std::string& line) { enter(line, own_); }
   void enter(const std::string& line, std::size_t channel);
-  /// With several channels: only this channel continues, until it stops or is held next. enter() calls this function for the program's
-  /// own channel.
+  /// Lets only this channel continue until it stops or is held again. enter() calls this function for the program's own channel. The
+  /// function may be called only if there are several channels.
   void alone(std::size_t channel);
-  /// With several channels: each channel stays at the block where Control::holds_before holds it, until all are held, waiting or ended.
+  /// `on`: each channel stays at the block where Control::holds_before holds it, until all channels are held, waiting or ended. The
+  /// function may be called only if there are several channels.
   void hold_each(bool on) {
     if (channels_run_) channels_run_->hold_each(on);
   }
-  /// The machine position of a channel.
+  /// Returns the position of a channel's axes on the machine.
   ToolPosition stand(std::size_t channel) const;
   ToolPosition stand() const { return stand(own_); }
-  /// Declares that the axes of a channel have been moved by hand and are now at this position, in machine coordinates.
+  /// Declares that the axes of a channel have been moved by hand to the position `machine`, in machine coordinates.
   ///   pre  the channel is not in the middle of a block
   void stand_at(const Axes& machine) { stand_at(own_, machine); }
   void stand_at(std::size_t channel, const Axes& machine);
-  /// Call after the observers were changed in mid program. The clock of the outlets counts from now on; plan() and look_ahead() start
-  /// from here.
+  /// Applies a change of the observers in mid-program. From now on the clock of the outlets is used, and plan() and look_ahead() start at
+  /// the present position.
   void change_outlets();
-  /// Number of blocks that the control of a single channel has executed and the later rooms (path, machine) have processed.
+  /// Returns the number of blocks that the control of a single channel has executed and that path and machine have processed.
   std::uint64_t blocks() const { return alone_ ? alone_->blocks() : control().blocks(); }
-  /// How a channel ended.
+  /// Returns how the run of a channel ended.
   const Stopped& stopped(std::size_t channel) const;
   const Stopped& stopped() const { return stopped(own_); }
-  /// Time that a channel has waited for others, s.
+  /// Returns the time that a channel has waited for others, s.
   double waited(std::size_t channel) const;
 
   // ---- storing and restoring the state
-  /// Returns everything that determines how the run continues, between two calls of go_on(). The state of the planners is included; other
-  /// data computed by outlets are not. Returns nullopt while the control waits for a probe.
+  /// Returns a snapshot of everything that determines how the run continues. To be called between two calls of go_on(). The state of the
+  /// planners is included; other data that outlets compute are not. Returns nullopt while the control waits for the result of a probe
+  /// motion.
   std::optional<SessionSnapshot> snapshot();
-  /// Restores the snapshot; the run continues from there. The snapshot may come from another session with the same program, control,
-  /// machine, set-up and outlets.
+  /// Restores a snapshot, from which the run continues. The snapshot may come from another session with the same program, control, machine,
+  /// set-up and outlets.
   ///   alarms  as Control::restore()
   Status restore(const SessionSnapshot& from);
 
@@ -151,12 +154,12 @@ class Session {
   std::vector<std::unique_ptr<Planned>> planned_;
   std::optional<SpeedRules> rules_;
   bool begun_ = false;
-  bool searched_ = false;       // the block search that the key `search` of the set-up requests has been done
-  std::vector<bool> attached_;  // by channel: the planner in planned_ receives the steps
-  // used with a single channel:
+  bool searched_ = false;       // true: the block search that the key `search` of the set-up requests has been done
+  std::vector<bool> attached_;  // by channel: true if the planner in planned_ receives the steps
+  // these members are used with a single channel
   std::optional<Logic> logic_;
   std::unique_ptr<ChannelRun> alone_;
-  // used with several channels:
+  // these members are used with several channels
   std::unique_ptr<Channels> channels_run_;
   State state_ = State::running;
 };

@@ -1,5 +1,5 @@
-// Stepping: decides where a session is held. Used by cli/debug, cli/run (--from, --to), session/restart; tested by
-// tests/session/stepping_test.cpp.
+// Stepping: decides before which blocks a session is held. It is used by cli/debug, cli/run (--from, --to) and session/restart, and tested
+// by tests/session/stepping_test.cpp.
 
 #include "session/stepping.h"
 
@@ -17,14 +17,14 @@ struct Relation {
   std::string_view written;
   Op op;
 };
-// Relational operators of conditions. Longer operators come first, so that "<=" is not read as "<".
+// The relational operators of conditions. Longer operators come first, so that "<=" is not read as "<".
 constexpr std::array relations = {Relation{"<=", Op::less_equal},    Relation{">=", Op::greater_equal}, Relation{"==", Op::equal},
                                   Relation{"!=", Op::not_equal},     Relation{"<>", Op::not_equal},     Relation{"<", Op::less},
                                   Relation{">", Op::greater},        Relation{"EQ", Op::equal},         Relation{"NE", Op::not_equal},
                                   Relation{"GE", Op::greater_equal}, Relation{"GT", Op::greater},       Relation{"LE", Op::less_equal},
                                   Relation{"LT", Op::less}};
 
-/// Finds the relational operator that is outside all brackets. Returns its position and the operator.
+/// Finds the relational operator outside all brackets. Returns its index in the text and the operator; nullopt if there is none.
 std::optional<std::pair<std::size_t, Relation>> relation_in(std::string_view text) {
   int open = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -89,14 +89,14 @@ bool Stepping::asks_for(const Origin& origin, bool same_line) const {
   }
 }
 
-/// Updates the tool in the spindle, if a stop point or the target names a tool.
+/// Stores the tool in the spindle, if a stop point or the target names a tool.
 void Stepping::note_tool() {
   const auto asks = [](const StopPoint& point) { return point.tool != 0; };
   if (!(target_ && asks(*target_)) && std::none_of(points_.begin(), points_.end(), [&](const auto& p) { return asks(p.second); })) return;
   tool_before_ = std::exchange(tool_, session_.control().state_now().tool);
 }
 
-/// Returns true if the session is to be held before this block.
+/// Called by the control before each block. Returns true if the session is to be held before this block.
 bool Stepping::asked(const Origin& origin) {
   if (std::exchange(again_, false)) return false;
   const Origin before = std::exchange(last_, origin);
@@ -105,7 +105,7 @@ bool Stepping::asked(const Origin& origin) {
     next_ = origin;
     return true;
   }
-  // the block is not the first one in its line: `N1 … ПС N2 …`
+  // true: the block follows another block in the same line, as in `N1 … ПС N2 …`, so the line is not counted again
   const bool same_line = before.line == origin.line && before.file == origin.file && origin.column > before.column;
   const bool begins_call = origin.depth > before.depth;
   const auto is_asked_for = [&](const StopPoint& p) { return p.line == origin.line; };
@@ -125,7 +125,8 @@ bool Stepping::asked(const Origin& origin) {
 }
 
 void Stepping::set_out() {
-  // in the middle of a block the control has asked already; before a block it asks again when the run continues
+  // true: the session was held before this block, so the control asks about the same block again. In the middle of a block the control does
+  // not ask again.
   again_ = next_.has_value() && !session_.control().in_block();
   depth_ = next_ ? next_->depth : 0;
   next_.reset();

@@ -1,4 +1,5 @@
-// ToolProposals: finds tools in comments. Used by cli/setup_command and view/proposals; tested by tests/session/tool_proposals_test.cpp.
+// ToolProposals: finds tools in the comments of a program. It is used by cli/setup_command and view/proposals, and tested by
+// tests/session/tool_proposals_test.cpp.
 
 #include "session/tool_proposals.h"
 
@@ -19,8 +20,8 @@ ProgramLines lines_of(const Control& control) {
   return control.texts_of(numbers, 0);
 }
 
-/// The unit of the motions that cut decides, not the unit in force at the end: M30 of a Fanuc or Haas resets the unit to mm, and G70 is a
-/// unit on one control and a canned cycle on another. If the program has no motion, the codes in force at the end decide.
+/// The unit comes from the cutting motions, not from the codes in force at the end of the program: M30 of a Fanuc or Haas resets the unit
+/// to mm, and G70 is a unit on one control and a canned cycle on another. If the program has no motion, the unit at its end is used.
 bool comments_in_inches(const Control& control, const MotionUnits& moved) {
   if (!moved.empty()) return moved.unit() == LengthUnit::inch;
   const FinalState ending = control.ending();

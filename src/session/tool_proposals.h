@@ -1,6 +1,6 @@
 #pragma once
-// ToolProposals: finds the tools that the comments of a program describe. Used by the templates of kadr setup and by the page; a person
-// must check the proposals before they are used.
+// ToolProposals: finds the tools that the comments of a program describe. It is used by the templates of kadr setup and by the page. A
+// person must check the proposals before they are used.
 
 #include <cstdint>
 #include <map>
@@ -14,14 +14,14 @@
 
 namespace kadr {
 
-/// Text of lines, by line number counted from 1.
+/// Line number, counted from 1 → text of the line.
 using ProgramLines = std::map<std::uint32_t, std::string>;
 
-/// Returns the lines of the main program up to a fixed greatest line number. Longer programs are the output of CAM systems, and have no
+/// Returns the lines of the main program up to a greatest line number. Longer programs are the output of CAM systems, which write no
 /// comments about tools after that line.
 ProgramLines lines_of(const Control& control);
 
-/// True if numbers without a unit in the program's comments are in inches. Call after the run.
+/// True if the comments of the program state lengths in inches where they name no unit. Call this function after the run.
 ///   moved  the units of the motions of that run
 bool comments_in_inches(const Control& control, const MotionUnits& moved);
 
@@ -33,15 +33,15 @@ struct ToolProposal {
 
 class ToolProposals {
  public:
-  /// `inch`: numbers without a unit are in inches.
+  /// Reads the comments. `inch`: lengths without a unit are in inches; false: in mm.
   ToolProposals(const ProgramLines& lines, bool inch);
 
-  /// Returns the proposal for a tool. It comes from a comment anywhere in the program that names the tool and states a diameter; else
-  /// from a comment next to the block that calls the tool, if that comment names no other tool.
+  /// Returns the proposal for a tool. The first source is a comment anywhere in the program that names the tool and states a diameter. The
+  /// second source is a comment next to the block that calls the tool, if that comment names no other tool.
   ///   called_at  line of the block that calls the tool; 0: the block is in another file
   std::optional<ToolProposal> of(std::uint32_t tool, std::uint32_t called_at) const;
-  /// Call this function if of() has no proposal. It returns the proposal from a comment that describes the tool but does not state its size
-  /// for certain.
+  /// Returns the proposal from a comment that describes the tool but does not clearly state its size. To be called if of() returns no
+  /// proposal.
   std::optional<ToolProposal> unsure(std::uint32_t tool, std::uint32_t called_at) const;
 
  private:
@@ -50,7 +50,7 @@ class ToolProposals {
   template <class Fits>
   std::optional<ToolProposal> find(std::uint32_t tool, std::uint32_t called_at, const Fits& fits) const;
 
-  std::vector<ToolProposal> read_;  // comments that state a size of a tool, sorted by line
+  std::vector<ToolProposal> read_;  // comments that state a size of a tool, sorted by line number
 };
 
 }  // namespace kadr

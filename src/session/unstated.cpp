@@ -1,4 +1,5 @@
-// unstated: finds values that a program has used although no set-up states them. Used by cli and view; tested by tests/setup_command.py.
+// unstated: finds values that a program has used although the set-up does not state them. It is used by cli and view, and tested by
+// tests/setup_command.py.
 
 #include "session/unstated.h"
 
@@ -36,7 +37,7 @@ std::optional<AlarmReport> unstated(const Control& control, const ControlDef& de
     const UsedKey used = used_key(use, def);
     if (is_stated(use, used, stated)) continue;
     if (first == nullptr) first = &use;
-    // the word is listed already: on the 2С42 the word D is both the length and the radius offset
+    // the word is in the list already: on the 2С42 the word D is both the length offset and the radius offset
     if (!words.insert(used.word).second) continue;
     if (!list.empty()) list += ", ";
     if (use.kind == UseKind::variable) list += translated(texts::session::variable_vacant, used.word, use.origin.line);

@@ -1,5 +1,5 @@
-// used_key: names the values that a program has used. Used by session/unstated, cli/setup_command, view/sheet; tested by
-// tests/setup_command.py.
+// used_key: returns the names of the values that a program has used. It is used by session/unstated, cli/setup_command and view/sheet, and
+// tested by tests/setup_command.py.
 
 #include "session/used_key.h"
 

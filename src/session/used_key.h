@@ -1,5 +1,5 @@
 #pragma once
-// used_key: the names of the values that a program has used, both in the set-up and in the program.
+// used_key: returns the names of a value that a program has used: the key in the set-up and the word in the program.
 
 #include <string>
 

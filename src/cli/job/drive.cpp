@@ -1,4 +1,4 @@
-// Executes a part of a program: --from, --to. Used by cli/run and cli/debug; tested by tests/debug.py.
+// Executes a program or a part of it (--from, --to). This file is used by cli/run and cli/debug, and tested by tests/debug.py.
 
 #include "cli/job/drive.h"
 
@@ -15,7 +15,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Returns the text as a whole number from 1 up; nullopt if it is anything else.
+/// Returns the text as a whole number that is at least 1; nullopt for any other text.
 std::optional<std::uint32_t> count_in(std::string_view text) {
   std::uint32_t count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);

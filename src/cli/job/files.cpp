@@ -1,4 +1,4 @@
-// Reads whole files, for commands whose input is small. Used by the rest of cli.
+// Reads whole files, for commands with small input files. This file is used by the rest of cli.
 
 #include "cli/job/files.h"
 

@@ -1,4 +1,4 @@
-// Prints the findings of a run. Used by the rest of cli; tested by tests/run_faulty.py and tests/found.py.
+// Found: prints the findings of a run. It is used by the rest of cli and tested by tests/run_faulty.py and tests/found.py.
 
 #include "cli/job/found.h"
 
@@ -13,7 +13,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr std::size_t max_lines = 8;  // greatest number of lines listed for one repeated finding
+constexpr std::size_t max_lines = 8;  // greatest number of program lines that are listed for one repeated finding
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
-// Found: prints the findings of a run for the user. The first warning of each id is printed in full; further ones are counted and summed
-// up in one line at the end.
+// Found: prints the findings of a run for the user. The first warning of each id is printed in full. Further warnings with this id are
+// counted, and one line at the end sums them up.
 
 #include <cstdint>
 #include <cstdio>
@@ -15,18 +15,18 @@ namespace kadr::cli {
 
 class Found {
  public:
-  ///   to     stream to print to: stderr, or a file without colours
-  ///   every  print every finding in full
+  ///   to     stream for the output: stderr, or a file without colours
+  ///   every  true: every finding is printed in full
   Found(const AlarmTexts& texts, Lang lang, std::FILE* to, bool every) : texts_(texts), lang_(lang), to_(to), every_(every) {}
 
   void tell(const AlarmReport& report);
-  /// Prints the lines that sum up the counted findings; call it once, at the end.
+  /// Prints the lines that sum up the counted findings. Call this function once, at the end.
   void finish();
 
  private:
   struct Repeated {
     std::size_t more = 0;
-    std::vector<std::uint32_t> lines;  // program lines of the first few of these findings, each line once
+    std::vector<std::uint32_t> lines;  // program lines of the first of these findings; each line occurs once
   };
   void print(const std::string& text) const;
 
@@ -34,7 +34,7 @@ class Found {
   const Lang lang_;
   std::FILE* const to_;
   const bool every_;
-  std::map<std::pair<std::string, AlarmId>, Repeated> repeated_;  // findings that occur several times, by file name and alarm id
+  std::map<std::pair<std::string, AlarmId>, Repeated> repeated_;  // repeated findings, by file name and alarm id
 };
 
 }  // namespace kadr::cli

@@ -1,4 +1,4 @@
-// Guesses the control of a program. Used by cli/job/job and cli/check; tested by tests/guess.py.
+// Guesses the control of a program. This file is used by cli/job/job and cli/check, and tested by tests/guess.py.
 
 #include "cli/job/guessed_control.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 GivenEncoding encoding_of(const Options& options) {
   GivenEncoding said;
-  (void)read_encoding(options.encoding, said);  // make_job() refuses an unknown encoding later
+  (void)read_encoding(options.encoding, said);  // the result is ignored, since make_job() reports an unknown encoding later
   return said;
 }
 
@@ -32,7 +32,8 @@ void say_guess(const Options& options, const std::string& file, const Guess& gue
                         : translated_in(lang, texts::job::weak_guess_before, file, guess.control, reason, next));
 }
 
-/// Saves the control that the command line names for the folder of the file (--remember). Returns false after printing an error.
+/// Stores the control that the command line names in the folder of the file (--remember). If this fails, the function prints an error and
+/// returns false.
 bool remembers(const Options& options, const std::string& file) {
   const bool can = !options.control.empty() && file != "-";
   const std::string error = can ? save_control_choice(options.control, file) : translated(texts::job::nothing_to_remember);
@@ -40,7 +41,8 @@ bool remembers(const Options& options, const std::string& file) {
   return error.empty();
 }
 
-/// For --remember, saves the control once for each folder of the files, before the first guess. Returns the files for which that failed.
+/// Stores the control once in each folder of the files, if --remember is given. This is done before the first guess. Returns the files for
+/// whose folder it failed.
 std::set<std::string> forgotten_of(const Options& options, const std::vector<std::string>& files) {
   std::set<std::string> forgotten, remembering;
   for (const std::string& file : files)
@@ -78,7 +80,7 @@ void GuessedControls::say(const std::string& file, const FolderGuess::Neighbours
   complain(translated_in(lang, texts::job::like_its_neighbour, file, common.control, shown_by, reason));
 }
 
-/// Returns true if the file is a lathe program, but Kadr supports its control for milling only; prints that reason.
+/// Returns true if the file is a lathe program whose control Kadr supports for milling only. Then the function also prints this reason.
 bool GuessedControls::refuses(const std::string& file, const std::string& control) const {
   if (control.ends_with(".toml")) return false;
   const auto text = beginning_of_program(file, encoding_of(options_));

@@ -1,5 +1,5 @@
 #pragma once
-// Guesses the control of a program from its text and from the files next to it, if the user names none.
+// Guesses the control of a program from the text of the program and from the neighbouring files, if the user names no control.
 
 #include <optional>
 #include <set>
@@ -11,15 +11,16 @@
 
 namespace kadr::cli {
 
-/// Returns the control that the options name for the file, or that .kadr.toml in its folder stores; empty if there is none.
+/// Returns the control that the options name for the file, otherwise the control that .kadr.toml in the file's folder stores; empty if
+/// neither exists.
 std::string named_control(const Options& options, const std::string& file);
 
-/// Returns the named control, or the control guessed from the text, the name and the neighbours of the file; prints a guess and its
-/// reasons on stderr.
+/// Returns the control that the user has named. If there is none, guesses the control from the text, the name and the neighbours of the
+/// file, and prints the guess with its reasons on stderr.
 ///   returns  nullopt if the file cannot be read; an empty text if the file is no program of a control that Kadr supports
 std::optional<std::string> control_of(const Options& options, const std::string& file);
 
-/// Finds the controls of many programs; a guess for one program also considers the others.
+/// Finds the controls of many programs. The guess for one program also considers the other programs.
 class GuessedControls {
  public:
   GuessedControls(const Options& options, const std::vector<std::string>& files);
@@ -30,7 +31,7 @@ class GuessedControls {
   bool refuses(const std::string& file, const std::string& control) const;
 
   const Options& options_;
-  std::set<std::string> forgotten_;  // files for which --remember could not save the control
+  std::set<std::string> forgotten_;  // files in whose folder --remember could not store the control
   FolderGuess guesses_;
 };
 

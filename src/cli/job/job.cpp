@@ -1,4 +1,4 @@
-// Loads the program that the command line names, and everything needed to run it. Used by the rest of cli.
+// Job: loads the program that the command line names, and everything that is needed to run the program. It is used by the rest of cli.
 
 #include "cli/job/job.h"
 
@@ -20,7 +20,8 @@
 namespace kadr::cli {
 namespace {
 
-/// Reads the set-up file and applies the command-line options over it; prints errors.
+/// Reads the set-up file and then applies the command-line options, which override the file. If an error occurs, it is printed and the
+/// function returns false.
 bool take_setup(Job& job, const Options& options) {
   std::vector<SetupSource> sources;
   if (!options.setup.empty()) {
@@ -51,7 +52,7 @@ bool take_setup(Job& job, const Options& options) {
   return true;
 }
 
-/// Returns the control. For a command with many programs each control file is read only once. Prints errors.
+/// Returns the control with this name. Each control file is read only once, even for a command with many programs. Prints errors.
 ///   returns  nullptr if the control cannot be read
 std::shared_ptr<const ControlDef> control_named(const std::string& name) {
   static std::map<std::string, std::shared_ptr<const ControlDef>> known;
@@ -64,7 +65,7 @@ std::shared_ptr<const ControlDef> control_named(const std::string& name) {
   return known[name] = std::make_shared<const ControlDef>(std::move(*def));
 }
 
-/// Returns the alarm texts of a control. The texts of each control are read only once.
+/// Returns the alarm texts of a control. They are read only once for each control.
 std::shared_ptr<const AlarmTexts> texts_of(const std::shared_ptr<const ControlDef>& def) {
   static std::map<std::shared_ptr<const ControlDef>, std::shared_ptr<const AlarmTexts>> known;
   std::shared_ptr<const AlarmTexts>& of = known[def];

@@ -1,5 +1,5 @@
-// Used by cli/job/job: opens the program's text, and finds one of several programs on a tape. Tested by tests/run_tapes.py and
-// tests/utf16.py.
+// Opens the text of a program, and finds one of several programs on a tape. This file is used by cli/job/job and tested by
+// tests/run_tapes.py and tests/utf16.py.
 
 #include <fmt/core.h>
 
@@ -17,7 +17,7 @@
 namespace kadr::cli {
 namespace {
 
-/// The program's text, with its encoding.
+/// The text of a program, with its encoding.
 struct Text {
   std::shared_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
@@ -28,13 +28,13 @@ Text text_of(const Job& job) {
   return {std::move(text.source), text.encoding};
 }
 
-/// Detects the encoding from the first bytes of the file if it is not stated.
+/// Returns the stated encoding. If none is stated, it is detected from the first bytes of the file.
 std::optional<Encoding> encoding_of(const Text& text) {
   return text.encoding ? text.encoding : detect_encoding(LineReader(text.source).sample());
 }
 
-/// Returns the programs of a tape with several programs; an empty list for any other file. A file without a second % sign has only one
-/// program, and is read no further.
+/// Returns the programs of a tape with several programs, or an empty list for any other file. If the beginning of a file contains no second
+/// % sign, the file has only one program, and the rest is not read.
 TapeContents programs_of(const Job& job, const Text& text) {
   if (!job.def->grammar.percent_number) return {};
   const auto encoding = encoding_of(text);
@@ -42,7 +42,7 @@ TapeContents programs_of(const Job& job, const Text& text) {
   return contents_of(text.source, job.def->grammar, encoding);
 }
 
-/// Returns the numbers of the programs, as text for a message.
+/// Returns the numbers of the programs as text for a message.
 std::string numbers_of(const TapeContents& contents) {
   if (contents.programs.size() < 2)
     return contents.programs.empty() || contents.programs[0].number == 0 ? "%" : std::to_string(contents.programs[0].number);

@@ -1,5 +1,5 @@
-// Opens, checks and completes the files that a command writes. Used by cli/run, cli/mill, cli/tape_command and cli/check; tested by
-// tests/run_outputs.py.
+// Outputs: opens, checks and completes the files that a command writes. It is used by cli/run, cli/mill, cli/tape_command and cli/check,
+// and tested by tests/run_outputs.py.
 
 #include "cli/job/outputs.h"
 
@@ -18,13 +18,14 @@
 namespace kadr::cli {
 namespace {
 
-/// True for a device (terminal, /dev/null): two outputs may share it, and it may be an input too.
+/// True for a device (terminal, /dev/null). Two outputs may use the same device, and a device may also be an input.
 bool is_device(const std::string& name) {
   struct stat there {};
   return ::stat(name.c_str(), &there) == 0 && S_ISCHR(there.st_mode);
 }
 
-/// Returns the identity of the file; "-" is the file that the standard stream is redirected to. Empty if the stream is not a file.
+/// Returns the identity of the file. The name "-" means the file to which the standard stream `stream` is redirected. The result is empty
+/// if that stream is not redirected to a file.
 FileSet set_of(const std::string& name, int stream) {
   FileSet set;
   if (name != "-") set.add(name);
@@ -47,7 +48,8 @@ void Outputs::reads(const std::string& path) {
 void Outputs::writes(const std::string& option, const std::string& name, Opened opened) {
   if (name.empty()) return;
   outputs_.push_back({option, name, opened, std::nullopt});
-  if (opened == Opened::by_its_owner)  // a state file: SQLite reads these files too when it opens the state file again
+  // the additional files of a state file must not be written either: SQLite reads them when it opens the state file again
+  if (opened == Opened::by_its_owner)
     for (const char* const log : {"-wal", "-shm", "-journal"}) reads(name + log);
 }
 
@@ -55,7 +57,7 @@ std::string Outputs::clash(const Output& output, TextId<3> sentence, const std::
   return translated_in(lang_, sentence, output.option, output.name, other);
 }
 
-/// Returns the reason why the output with this index cannot be written; an empty text if it can be.
+/// Returns the reason why the output with this index cannot be written; empty if it can be written.
 std::string Outputs::fault_of(std::size_t index) const {
   const Output& output = outputs_[index];
   const auto same = [](const std::string& a, const std::string& b, int stream_of_b) {
@@ -73,7 +75,7 @@ std::string Outputs::fault_of(std::size_t index) const {
     if (output.name == "-" || (input != "-" && is_device(input))) continue;
     if (same(output.name, input, STDIN_FILENO)) return clash(output, texts::outputs::over_input, input);
   }
-  // Standard output goes to the same file: the summary and this output would overwrite each other.
+  // If standard output goes to the same file, the summary and this output would overwrite each other.
   if (output.name != "-" && !is_device("/dev/stdout") && same(output.name, "-", STDOUT_FILENO))
     return clash(output, texts::outputs::standard_output_goes_there, output.option + " -");
   return {};

@@ -1,5 +1,5 @@
 #pragma once
-// Outputs: the files that a command writes. An output file must be neither an input file nor another output file.
+// Outputs: the files that a command writes. An output file must not be an input file or another output file.
 
 #include <map>
 #include <optional>
@@ -12,34 +12,34 @@
 
 namespace kadr::cli {
 
-/// Checks that everything printed to standard output was written; prints an error if not (disk full, pipe closed).
+/// True if everything printed to standard output was written. Prints an error otherwise (disk full, pipe closed).
 bool came_out();
 
 class Outputs {
  public:
   explicit Outputs(Lang lang) : lang_(lang) {}
 
-  /// Registers an input file: "-" is standard input, an empty name means no file.
+  /// Registers an input file. The name "-" means standard input, an empty name means no file.
   void reads(const std::string& path);
-  /// Registers the output file of an option; an empty name means no file. open() opens an output with Opened::here. It does not open an
-  /// output with Opened::by_its_owner (the state file), because the object that writes the file opens it.
+  /// Registers the output file of an option. An empty name means no file. open() opens an output with Opened::here. An output with
+  /// Opened::by_its_owner (the state file) is opened by the object that writes it.
   enum class Opened : std::uint8_t { here, by_its_owner };
   void writes(const std::string& option, const std::string& name, Opened opened = Opened::here);
 
-  /// Checks that no output is also an input or another output; prints an error for the first one that is.
+  /// Checks that no output is also an input or another output. Prints an error for the first such output and returns false.
   bool check() const;
-  /// Opens all outputs, or none; prints an error for the first one that cannot be opened.
-  ///   pre  check() returned true
+  /// Opens all outputs. If one of them cannot be opened, the function prints an error, opens none of them and returns false.
+  ///   pre  check() has returned true
   bool open();
-  /// Returns the open file of an option, such as "--out"; nullptr if the option was not given.
+  /// Returns the open file of an option, e.g. "--out"; nullptr if the user has not given the option.
   const ResultFile* file(const std::string& option) const;
   std::FILE* stream(const std::string& option) const;
 
-  /// All files that must not change while the command runs: inputs and outputs.
+  /// Returns all files that must not change while the command runs: inputs and outputs.
   FileSet all() const;
 
-  /// Completes the files and moves them to their final paths, standard output last. If one of the outputs is also in `read`, the files that
-  /// the run has read, no output is kept. Prints errors.
+  /// Completes the files and moves them to their final paths, standard output last. If an output is also in `read` (the files that the run
+  /// has read), no output is completed. If an error occurs, it is printed and the function returns false.
   bool keep(const std::vector<std::string>& read = {});
 
  private:
@@ -49,7 +49,7 @@ class Outputs {
     std::optional<ResultFile> file;
   };
   std::string fault_of(std::size_t index) const;
-  /// Returns the error message for an output that conflicts with another file: `sentence` with the option, the name of the output, and
+  /// Returns the error message for an output that is the same file as another one: `sentence` with the option, the name of the output, and
   /// `other`.
   std::string clash(const Output& output, TextId<3> sentence, const std::string& other) const;
 

@@ -1,4 +1,4 @@
-// Finds the programs in folders. Used by cli/check; tested by tests/run_check.py.
+// Finds the programs in folders. This file is used by cli/check and tested by tests/run_check.py.
 
 #include "cli/job/program_files.h"
 
@@ -29,7 +29,7 @@ bool is_program(const fs::path& path) {
   return tells == NameVerdict::nothing ? looks_like_program(path.string()) : tells == NameVerdict::program;
 }
 
-/// Searches folders one after the other without recursion, so that the depth of folders is not limited by the stack.
+/// Searches folders one after the other in a loop. Recursion is not used, since deeply nested folders could exceed the stack.
 class Search {
  public:
   Search(const std::vector<std::string>& exclude, ProgramFiles& found) : exclude_(exclude), found_(found) {}
@@ -61,7 +61,8 @@ class Search {
     }
     if (error) found_.unreadable.push_back({folder.string(), errno_message(error.value())});
     std::sort(files.begin(), files.end());
-    std::sort(folders.rbegin(), folders.rend());  // the last folder of the list is searched next
+    // the list is sorted in descending order, since the last folder of the list is searched next
+    std::sort(folders.rbegin(), folders.rend());
     for (const fs::path& file : files)
       if (is_program(file)) found_.files.push_back(file.string());
     open.insert(open.end(), folders.begin(), folders.end());

@@ -1,4 +1,4 @@
-// Progress: shows a progress bar on the terminal during long work. Used by the rest of cli.
+// Progress: shows a progress bar on the terminal while a command works for a long time. It is used by the rest of cli.
 
 #include "cli/job/progress.h"
 
@@ -17,8 +17,8 @@ namespace {
 
 constexpr auto first_after = std::chrono::milliseconds(800);
 constexpr auto again_after = std::chrono::milliseconds(200);
-constexpr int max_width = 40, least_width = 5;  // greatest and least length of the bar, characters
-constexpr int beside = 12;                      // characters for brackets, percentage, and a gap before the last column
+constexpr int max_width = 40, least_width = 5;  // greatest and least length of the bar, in characters
+constexpr int beside = 12;                      // number of characters for the brackets, the percentage, and a gap before the last column
 
 }  // namespace
 
@@ -40,7 +40,8 @@ void Progress::show(const Control& control) {
 void Progress::show(double part, const std::string& what) {
   last_ = Clock::now();
   part = std::clamp(part, 0.0, 1.0);
-  const int room = terminal_width() - beside - static_cast<int>(characters_before(what, what.size()));  // a full line might wrap
+  // the gap is needed, since a terminal might wrap a full line
+  const int room = terminal_width() - beside - static_cast<int>(characters_before(what, what.size()));
   if (room < least_width) return;
   const int width = std::min(room, max_width), full = static_cast<int>(part * width);
   show_bar(fmt::format("[{}{}] {:3.0f} %  {}", std::string(static_cast<std::size_t>(full), '#'),

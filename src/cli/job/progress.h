@@ -1,5 +1,5 @@
 #pragma once
-// Progress: shows a progress bar on the terminal during long work; shows nothing if the output is not a terminal.
+// Progress: shows a progress bar on the terminal while a command works for a long time. Nothing is shown if the output is not a terminal.
 
 #include <chrono>
 #include <string>
@@ -15,10 +15,10 @@ class Progress : public ProgressDisplay {
   ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  /// Returns true if it is time to update the progress bar; always false without a terminal.
+  /// True if the progress bar is due for an update. Always false without a terminal.
   bool is_due() const override;
   void show(const Control& control) override;
-  /// Shows the fraction done, 0 … 1, and a description of the work.
+  /// Shows the completed fraction (0 to 1) of the work, and a description of the work.
   void show(double part, const std::string& what);
 
  private:

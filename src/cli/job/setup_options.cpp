@@ -1,4 +1,5 @@
-// --tool, --zero, --corrector: set-up data that no file states, or that overrides the file. Used by cli/job/job.
+// --tool, --zero, --corrector: set-up data from the command line, which are added to the set-up file or override it. This file is used by
+// cli/job/job.
 
 #include "cli/job/setup_options.h"
 
@@ -28,7 +29,7 @@ std::optional<double> number_of(std::string_view text) {
 
 bool is_whole(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos; }
 
-/// A name with a number: "r8", "X-400", "X=-400".
+/// A name with a number, e.g. "r8", "X-400", "X=-400".
 struct Named {
   std::string name;
   double value = 0;
@@ -45,14 +46,14 @@ std::optional<std::vector<Named>> list_of(std::string_view text) {
     const auto value = number_of(item.substr(letters + equals));
     if (letters == 0 || !value) return std::nullopt;
     list.push_back({std::string(item.substr(0, letters)), *value});
-    if (comma + 1 == text.size()) return std::nullopt;  // the text ends with a comma
+    if (comma + 1 == text.size()) return std::nullopt;  // a comma at the end of the text is an error
     text.remove_prefix(std::min(comma + 1, text.size()));
   }
   if (list.empty()) return std::nullopt;
   return list;
 }
 
-/// Splits the option at its first ':' or '='.
+/// Splits the text at its first `at`, which is ':' or '='.
 std::pair<std::string, std::string_view> cut(std::string_view text, char at) {
   const std::size_t place = std::min(text.find(at), text.size());
   return {std::string(text.substr(0, place)), text.substr(std::min(place + 1, text.size()))};
@@ -75,15 +76,15 @@ std::optional<Json> tool(const std::string& text) {
   return Json{{"offsets", {{number, row}}}};
 }
 
-/// Returns the table of the set-up that contains a work offset, and the name of the offset in that table: "G54.1P2" becomes "G54.1 P2". On
-/// a control that numbers its work offsets, the name is that number.
+/// Returns the table of the set-up that contains a work offset, and the name of the offset in that table. For example, "G54.1P2" becomes
+/// "G54.1 P2". On a control with numbered work offsets, the name is the number.
 std::pair<const char*, std::string> zero_name(std::string name, const ControlDef& def) {
   if (has(def, SetupNeeds::zeros)) {
     for (const WorkSystem& system : work_systems(def))
       if (system.name == name) name = std::to_string(system.row);
     return {"zeros", name};
   }
-  if (is_whole(name)) return {"zeros", name};  // a control without numbered work offsets refuses the name later
+  if (is_whole(name)) return {"zeros", name};  // a control without numbered work offsets reports the name as an error later
   if (const std::size_t p = name.find('P'); p != std::string::npos && p > 0 && name[p - 1] != ' ') name.insert(p, 1, ' ');
   return {"work_offsets", name};
 }

@@ -1,4 +1,4 @@
-// --state FILE: keeps the control's memory from run to run. Used by cli/run.
+// --state FILE: stores the memory of a control from one run to the next. This file is used by cli/run.
 
 #include "cli/job/state.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Adds the stored rows to a table of the set-up. A row that the set-up already has stays as it is.
+/// Adds the stored rows to a table of the set-up. Rows that the set-up already contains are not changed.
 template <class Map>
 void under(Map& to, const Map& stored) {
   to.insert(stored.begin(), stored.end());

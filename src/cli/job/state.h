@@ -1,5 +1,5 @@
 #pragma once
-// --state FILE: stores the data that a control keeps at power-off, from run to run.
+// --state FILE: stores, from one run to the next, the data that survive the power-off of a control.
 
 #include <memory>
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace kadr::cli {
 
-/// Opens the state file and adds its contents to the job's set-up; values stated in the set-up take precedence. Prints errors.
+/// Opens the state file and adds its contents to the set-up of the job. Values that the set-up states have priority. If an error occurs, it
+/// is printed and the function returns nullopt.
 std::optional<StateFile> open_state(const std::string& path, Job& job);
 
 }  // namespace kadr::cli

@@ -1,4 +1,4 @@
-// Ends a command early on a signal. Used by cli/main; tested by tests/run_interrupts.py.
+// Ends a command early on a signal. This file is used by cli/main and tested by tests/run_interrupts.py.
 
 #include "cli/job/stop_signals.h"
 
@@ -24,15 +24,17 @@
 namespace kadr::cli {
 namespace {
 
-constexpr int first_of_signals = 128;                   // the exit status is this plus the signal's number, as in shells
-constexpr auto grace = std::chrono::milliseconds(150);  // time that a command has to end by itself, so that it ends within 0.2 s in all
+// offset of the exit status: as in shells, the status is this number plus the number of the signal
+constexpr int first_of_signals = 128;
+// time that a command has to end by itself; with it, every command ends within 0.2 s
+constexpr auto grace = std::chrono::milliseconds(150);
 
 std::atomic<bool> asked = false;
 
 constexpr std::array ending = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-/// Returns the signals that end the command, without those that were ignored from the beginning (nohup, a command with & in a script).
-/// Every thread blocks the returned signals, so that a signal stays pending after it has arrived.
+/// Returns the signals that end the command, except those that were ignored at the start (nohup, a command with & in a script). All threads
+/// block the returned signals, so a signal that has arrived remains pending.
 sigset_t held_back() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -43,9 +45,9 @@ sigset_t held_back() {
   return signals;
 }
 
-volatile std::sig_atomic_t handled = 0;  // the signal that arrived, if no thread waits for signals
+volatile std::sig_atomic_t handled = 0;  // number of the signal that arrived, if no thread waits for signals
 
-/// Returns the signal that was sent; 0: none.
+/// Returns the number of the pending signal; 0 if no signal is pending.
 int pending() {
   if (handled != 0) return handled;
   sigset_t signals;
@@ -54,8 +56,9 @@ int pending() {
   return sent == ending.end() ? 0 : *sent;
 }
 
-/// Runs in a thread of its own and waits for the signals. Unlike a signal handler, it may call every function. The signals stay pending, so
-/// that a caller that polls sees them at once, even before this thread runs: in `make | kadr run -` Ctrl-C ends the input as well.
+/// Waits for the signals in a separate thread. In contrast to a signal handler, the thread may call every function. The signals remain
+/// pending, so a caller that polls for them sees them at once, even before this thread runs. That matters in `make | kadr run -`, where
+/// Ctrl-C also ends the input.
 void watch(int signals) {
   pollfd sent = {signals, POLLIN, 0};
   while (::poll(&sent, 1, -1) < 0)
@@ -68,7 +71,8 @@ void watch(int signals) {
   ::_exit(first_of_signals + signal);
 }
 
-/// Handles the signals without a thread, as far as a signal handler can; a timer signal marks the end of the grace period.
+/// Handles the signals without a thread, as far as a signal handler can. A signal of the timer marks the end of the time in which a command
+/// can end by itself.
 void handle_instead(const sigset_t& signals) {
   std::signal(SIGALRM, [](int) {
     ResultFile::discard_all();
@@ -81,7 +85,7 @@ void handle_instead(const sigset_t& signals) {
     const itimerval after = {{0, 0}, {0, std::chrono::microseconds(grace).count()}};
     (void)::setitimer(ITIMER_REAL, &after, nullptr);
   };
-  how.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal ends the process at once
+  how.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal ends the process at once, as the handler is then removed
   for (const int signal : ending)
     if (sigismember(&signals, signal) == 1) (void)::sigaction(signal, &how, nullptr);
 }
@@ -117,7 +121,8 @@ SignalsOfChild::SignalsOfChild() : attributes() {
 void survive_refused_writing() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // A closed standard stream must not become the first file that is opened.
+  // If a standard stream is closed, the first opened file would become that stream. Therefore /dev/null takes the number of a closed
+  // stream. It is opened in the wrong direction, so that reading from the stream or writing to it remains an error.
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }

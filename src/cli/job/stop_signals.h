@@ -1,6 +1,6 @@
 #pragma once
-// Ends a command early: Ctrl-C, SIGTERM, a closed terminal (SIGHUP), Ctrl-\\ (SIGQUIT). Long work checks a stop token; a command that
-// does not check it in time is ended.
+// Ends a command early after Ctrl-C, SIGTERM, SIGHUP (closed terminal) or Ctrl-\\ (SIGQUIT). Long work polls a stop token. A command that
+// does not end in time is ended by force.
 
 #include <spawn.h>
 
@@ -8,22 +8,22 @@
 
 namespace kadr::cli {
 
-/// From here on these signals request a stop, except signals that were ignored when the command started (nohup). Call it once, before any
-/// other thread starts. A command that has not ended 0.15 s after the signal is ended at once: its unfinished files are deleted
-/// (ResultFile), and the state file keeps its last complete block.
+/// From now on these signals request a stop, except those that were ignored when the command started (nohup). Call this function once,
+/// before any other thread starts. A command that has not ended 0.15 s after the signal is ended by force. Then its unfinished files are
+/// deleted (ResultFile), and the state file contains the last complete block.
 void catch_interrupts();
 
-/// Returns the token that every long loop checks.
+/// Returns the token that every long loop polls.
 StopToken stop_token();
 bool interrupted();
 
-/// Exit status of a command that was ended by a signal: 128 + the signal.
+/// Returns the exit status of a command that a signal has ended: 128 + the number of the signal.
 int interrupted_status();
 
-/// Writing to a closed pipe, or beyond the file size limit (ulimit -f), becomes a write error instead of ending the process.
+/// Makes writing to a closed pipe, or beyond the file size limit (ulimit -f), a write error. By default the system would end the process.
 void survive_refused_writing();
 
-/// Signal settings for a child process: the settings that this process had at its start.
+/// Signal settings for a child process, which are those that this process had at its start.
 struct SignalsOfChild {
   SignalsOfChild();
   ~SignalsOfChild() { posix_spawnattr_destroy(&attributes); }

@@ -1,4 +1,5 @@
-// Prints text for people. Used by the rest of cli; tested by tests/every_command.py (names, texts, no reader).
+// Prints text for people on the terminal. This file is used by the rest of cli and tested by tests/every_command.py (names, texts and no
+// reader).
 
 #include "cli/job/terminal.h"
 
@@ -18,12 +19,13 @@
 namespace kadr::cli {
 namespace {
 
-std::mutex writing;                // locked during output: the thread that waits for Ctrl-C erases the bar too
-std::size_t characters_shown = 0;  // length of the progress bar on the terminal
+std::mutex writing;                // locked during output, since the thread that waits for Ctrl-C also erases the progress bar
+std::size_t characters_shown = 0;  // number of characters of the progress bar that the terminal shows now
 
 void erase_shown() {
   if (characters_shown == 0) return;
-  fmt::print(stderr, "\r{}\r", std::string(characters_shown, ' '));  // blanks, since not every terminal understands escape sequences
+  // blanks erase the bar, since not every terminal understands escape sequences
+  fmt::print(stderr, "\r{}\r", std::string(characters_shown, ' '));
   std::fflush(stderr);
   characters_shown = 0;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Prints all text for the user on standard output and standard error. A message never appears in the middle of a progress bar, colours
-// are sent to terminals only, and control characters in names, programs or command lines never reach a terminal.
+// Prints all text for the user on standard output and standard error. A message never appears in the middle of a progress bar. Colours are
+// sent only to terminals. Control characters in names, programs or command lines never reach a terminal.
 
 #include <fmt/core.h>
 
@@ -13,30 +13,31 @@
 
 namespace kadr::cli {
 
-/// True if standard error is a terminal that supports colours, and the variable NO_COLOR (no-color.org) is not set.
+/// True if standard error is a terminal that supports colours and the environment variable NO_COLOR (no-color.org) is not set.
 bool has_colours();
 
-/// Shows the progress bar, which replaces the previous one; does nothing if standard error is not a terminal.
+/// Shows a progress bar, which replaces the previous one. Does nothing if standard error is not a terminal.
 void show_bar(const std::string& bar);
-/// Removes the progress bar if there is one; called before any other output to a terminal, also on standard output. Thread-safe.
+/// Removes the progress bar if the terminal shows one. The function is called before any other output to a terminal, also before output on
+/// standard output. It may be called from any thread.
 void erase_bar();
 
-/// Width of the terminal in characters; 80 if it is not known.
+/// Returns the width of the terminal in characters; 80 if the width is unknown.
 int terminal_width();
 
-/// The colours for alarms on standard error.
+/// Returns the colours for alarms on standard error.
 inline Colours colours() { return has_colours() ? Colours::terminal : Colours::none; }
 
-/// Writes text for people to standard error; control characters are replaced by symbols (␀ …).
+/// Prints text for people on standard error. Control characters are replaced by symbols (␀ …).
 void say(const std::string& text);
-/// Writes text returned by alarm_text(): control characters are replaced already, and it may contain colours.
+/// Prints text that alarm_text() has returned. The text may contain colours, and its control characters have already been replaced.
 void say_coloured(const std::string& text);
 
-/// Writes data for programs, unchanged. The owner of the stream checks that it was written.
+/// Writes data for other programs without changes. The owner of the stream must check that the data was written.
 void write_data(std::FILE* to, std::string_view data);
 
-/// Writes text for people to standard output or another file; control characters are replaced by symbols. came_out() checks that it was
-/// written.
+/// Prints text for people on standard output or to another file. Control characters are replaced by symbols. For standard output,
+/// came_out() checks later that the text was written.
 void type_into(std::FILE* to, std::string_view text);
 template <class... Values>
 void type_out(fmt::format_string<Values...> form, Values&&... values) {

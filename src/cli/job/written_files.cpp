@@ -1,5 +1,5 @@
-// Files that a program itself writes (--files): their folder, the report without --files, and the files that the program has read and
-// must not overwrite. Used by cli/run.
+// Files that the part program itself writes (--files): creates their folder, reports them if --files is missing, and lists the files that
+// the program has read and that must not be overwritten. This file is used by cli/run.
 
 #include "cli/job/written_files.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Files that a program itself writes (--files): their folder, the report without --files, and the files that the program has read and
-// must not overwrite.
+// Files that the part program itself writes (--files): creates their folder, reports them if --files is missing, and lists the files that
+// the program has read and that must not be overwritten.
 
 #include <string>
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace kadr::cli {
 
-/// Creates the folder for the files that the program writes, if its parent folder exists.
+/// Creates the folder for the files that the part program writes. Its parent folder must exist.
 bool make_folder(const std::string& folder);
 
-/// Reports which files the program would have written: without --files it writes none.
+/// Reports which files the part program would have written. Without --files it writes none.
 void print_unwritten(const Options& options, const std::vector<Channel>& channels);
 
-/// Returns the files that the run has read besides the program; output files must not overwrite them either.
+/// Returns the files that the run has read in addition to the program. Output files must not overwrite these files either.
 std::vector<std::string> files_read(const std::vector<Channel>& channels);
 
 }  // namespace kadr::cli

@@ -1,4 +1,4 @@
-// The command line: commands, options, and help with examples. Used by the rest of cli.
+// Defines the command line: commands, options, and help with examples. This file is used by the rest of cli.
 
 #include "cli/options/command_line.h"
 
@@ -100,12 +100,14 @@ void add_pages(CLI::App& app, Commands& c) {
     type_out("{}", codes_of(control));
     throw CLI::Success();
   };
-  complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");  // for the completion scripts
+  // this hidden option is for the completion scripts
+  complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");
   language_option(*complete, c.options.lang);
   complete->footer(plain_text(texts::help_examples::completion));
 }
 
-/// Requires values for options: CLI11 would read the next option as the value, so that `--trace --why` would write a file named --why.
+/// Makes values of options mandatory. Otherwise CLI11 would read the next option as the value, and `--trace --why` would write a file named
+/// --why.
 void want_values(CLI::App& app) {
   for (CLI::Option* const option : app.get_options({})) {
     if (takes_nothing(*option)) continue;
@@ -113,7 +115,7 @@ void want_values(CLI::App& app) {
       const bool is_option = word.size() > 2 && word.starts_with("--");
       return is_option ? translated(texts::command_line::value_is_missing, option->get_type_name()) : std::string();
     };
-    option->transform(CLI::Validator(check, ""));  // this validator runs before the others
+    option->transform(CLI::Validator(check, ""));  // a transform runs before the other checks of the value
   }
   for (CLI::App* const sub : app.get_subcommands({})) want_values(*sub);
 }

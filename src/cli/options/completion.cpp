@@ -1,4 +1,4 @@
-// Writes the completion scripts of bash, zsh and fish, from the tree of commands.
+// Creates the completion scripts of bash, zsh and fish from the definitions of the commands.
 
 #include <fmt/core.h>
 
@@ -15,10 +15,10 @@ namespace {
 
 /// The possible values of an option or argument.
 struct Values {
-  std::string words;   // separated by blanks
-  std::string ending;  // pattern of file name endings: "json", "@(svg|png)"; empty: any
+  std::string words;   // possible words, separated by blanks
+  std::string ending;  // pattern of file name endings, e.g. "json", "@(svg|png)"; empty: any ending
   bool folders = false;
-  bool files = false;  // the value may be any file
+  bool files = false;  // true: the value may be the name of any file
 };
 
 std::string joined(const std::vector<std::string>& words) {
@@ -35,7 +35,7 @@ std::vector<const CLI::Option*> named_options(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) { return option->nonpositional() && !option->get_group().empty(); });
 }
 
-/// Derives the possible values from the value's name in the help: a list of words is named "text|json|sarif" (one_of in
+/// Determines the possible values from the name of the value in the help. A list of words has a name such as "text|json|sarif" (one_of in
 /// cli/options/option_values).
 Values values_of(const std::string& name, const CLI::Option& option) {
   if (name == "--control") return {joined(control_names()), "toml", false};
@@ -52,7 +52,7 @@ Values values_of(const std::string& name, const CLI::Option& option) {
   return {words, "", false};
 }
 
-/// Returns subcommands and long options.
+/// Returns the subcommands and the long options of a command.
 std::string words_of(const CLI::App& app) {
   std::string words;
   for (const CLI::App* const sub : subcommands(app)) words += sub->get_name() + " ";
@@ -71,7 +71,8 @@ std::string shell_reply(const Values& values) {
   return reply;
 }
 
-/// Adds a branch to the script's `case "$command $before"` for each option with a value: it suggests the values of that option.
+/// Adds a branch to `case "$command $before"` of the script for each option with a value. The branch suggests the possible values of the
+/// option.
 void shell_values(const CLI::App& app, const std::string& command, std::string& cases) {
   for (const CLI::Option* const option : named_options(app)) {
     if (takes_nothing(*option)) continue;
@@ -93,7 +94,7 @@ void shell_words(const CLI::App& app, const std::string& command, std::string& c
   for (const CLI::App* const sub : subcommands(app)) shell_words(*sub, command + (command.empty() ? "" : " ") + sub->get_name(), cases);
 }
 
-/// Returns a shell pattern of the commands that consist of two words: 'tape decode'|'tape encode'.
+/// Returns a shell pattern that matches the commands of two words: 'tape decode'|'tape encode'.
 std::string shell_groups(const CLI::App& app) {
   std::string groups;
   for (const CLI::App* const sub : subcommands(app)) {
@@ -104,7 +105,7 @@ std::string shell_groups(const CLI::App& app) {
   return groups;
 }
 
-// Functions of bash and zsh that the tables below call: they suggest the words that begin with $word, in any case.
+// Functions of bash and zsh that the tables below call. They suggest the words that begin with $word, in small or capital letters.
 constexpr const char* bash_functions = R"sh(# bash completion of kadr; made by `kadr completion bash`
 _kadr_words() {
   local one
@@ -166,7 +167,7 @@ constexpr const char* zsh_beginning = R"sh(_kadr() {
   if ((CURRENT > first + 1)); then group="$command ${words[first + 1]}"; fi
 )sh";
 
-/// Returns the tables that the bash and zsh functions read.
+/// Returns the tables that the functions of bash and zsh read.
 std::string tables(const CLI::App& app) {
   std::string values, words;
   shell_values(app, "", values);
@@ -180,7 +181,8 @@ std::string bash_script(const CLI::App& app) {
   return std::string(bash_functions) + bash_beginning + tables(app) + "complete -F _kadr kadr\n";
 }
 
-/// Returns the zsh script. In a folder of fpath the script itself is the function; if `source` reads it, the function must be registered.
+/// Returns the script for zsh. In a folder of fpath the script itself is the completion function. If `source` reads the script, it must
+/// register the function.
 std::string zsh_script(const CLI::App& app) {
   return std::string(zsh_functions) + zsh_beginning + tables(app) +
          "if [[ ${funcstack[1]} == _kadr ]]; then _kadr \"$@\"; else compdef _kadr kadr; fi\n";
@@ -192,7 +194,7 @@ std::string in_quotes(const std::string& text) {
   return "'" + out + "'";
 }
 
-/// Returns what fish suggests as the value of an option.
+/// Returns the command part with which fish suggests the values of an option.
 std::string fish_values(const Values& values) {
   std::string offer;
   if (!values.words.empty()) offer += values.words + " ";

@@ -1,4 +1,4 @@
-// kadr cut: its options.
+// kadr cut: defines the options of the command.
 
 #include <CLI/CLI.hpp>
 
@@ -13,9 +13,10 @@ namespace {
 
 constexpr double least_cell = 1e-3, max_cell = 1000;    // mm
 constexpr double least_memory = 16, most_memory = 1e6;  // MB
-constexpr double max_allowed = 1000;                    // greatest value of --allow and --allow-left, mm
+constexpr double max_allowed = 1000;                    // greatest value of --allow and of --allow-left, mm
 constexpr double max_threads = 256;
-constexpr double least_simplify = 1e-4;  // least --simplify, mm: the points of the mesh are not more exact
+// least value of --simplify, mm; a smaller value is useless, since the points of the mesh are less exact
+constexpr double least_simplify = 1e-4;
 
 void part_options(CLI::App& app, CutOptions& o) {
   takes(app.add_option("--stock-zero", o.stock_zero, translated(texts::cut_options::stock_zero)), plain_text(texts::values::name));

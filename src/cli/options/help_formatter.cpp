@@ -1,5 +1,5 @@
-// Lays out the help. CLI11 counts bytes for its columns and prints "TEXT:{a,b} REQUIRED" for the value of an option; this formatter does it
-// differently.
+// Formats the help. CLI11 counts bytes for its columns and prints "TEXT:{a,b} REQUIRED" for the value of an option. This formatter counts
+// characters and prints only the name of the value.
 
 #include <fmt/core.h>
 
@@ -19,7 +19,7 @@ constexpr std::size_t line_width = 110;  // characters
 
 std::size_t characters(const std::string& text) { return characters_before(text, text.size()); }
 
-/// Returns name and description in two columns, the second one wrapped at blanks.
+/// Returns name and description in two columns. The description is wrapped at blanks.
 std::string two_columns(const std::string& name, const std::string& description) {
   std::string page = "  " + name;
   std::size_t at = characters(page);
@@ -74,7 +74,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 
  private:
-  /// Returns "-q, --quiet".
+  /// Returns the names of an option, e.g. "-q, --quiet".
   static std::string names_of(const CLI::Option& option) {
     std::string names;
     for (const std::string& name : option.get_snames()) names += (names.empty() ? "-" : ", -") + name;

@@ -1,5 +1,5 @@
 #pragma once
-// The help of the commands: its layout, and the examples and exit status at its end (texts::help_examples).
+// Formats the help of the commands, with the examples and the exit status at its end (texts::help_examples).
 
 #include <memory>
 #include <string>
@@ -13,10 +13,11 @@ class FormatterBase;
 
 namespace kadr::cli {
 
-/// Lays out option names and descriptions in two columns, counted in characters, in the language of the thread.
+/// Returns a formatter that prints option names and descriptions in two columns. Widths are counted in characters, and the texts are in the
+/// language of the thread.
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
-/// Returns the full name of a command: "kadr tape decode".
+/// Returns the full name of a command, e.g. "kadr tape decode".
 std::string whole_name(const CLI::App& command);
 
 }  // namespace kadr::cli

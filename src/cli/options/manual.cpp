@@ -1,4 +1,4 @@
-// Writes the manual page, in roff, from the tree of commands.
+// Creates the manual page in the format roff from the definitions of the commands.
 
 #include <fmt/core.h>
 
@@ -14,7 +14,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Escapes text for roff: backslashes, dashes, and characters that roff would read as a request at the beginning of a line.
+/// Escapes text for roff: backslashes, dashes, and characters that roff would interpret as a request at the beginning of a line.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -63,7 +63,7 @@ void section(PlainText heading, const std::string& text, std::string& page) {
   page += fmt::format(".SH \"{}\"\n{}", plain_text(heading), text);
 }
 
-/// Returns a list in roff: each item, followed by its meaning.
+/// Returns a list in the format roff, in which each item is followed by its meaning.
 std::string list(std::initializer_list<std::pair<std::string, std::string>> items) {
   std::string text;
   for (const auto& [what, meaning] : items) text += fmt::format(".TP\n{}\n{}\n", what, roff(meaning));

@@ -1,4 +1,4 @@
-// kadr mill: its options.
+// kadr mill: defines the options of the command.
 
 #include <CLI/CLI.hpp>
 #include <limits>
@@ -18,7 +18,7 @@ CLI::Option* millimetres(CLI::Option* option) { return number(option, plain_text
 CLI::Option* degrees(CLI::Option* option) { return number(option, translated(texts::mill_options::degrees)); }
 CLI::Option* feed(CLI::Option* option) { return number(option, translated(texts::mill_options::mm_per_minute)); }
 
-/// Adds the options that say what is milled, and how deep.
+/// Adds the options that state which area is milled, and how deep.
 void zone_options(CLI::App& app, MillOptions& o) {
   app.add_option(translated(texts::mill_options::contour_name), o.contour, translated(texts::mill_options::contour))->required();
   millimetres(app.add_option("--tool-diameter", o.tool_diameter, translated(texts::mill_options::tool_diameter)))->required();
@@ -28,7 +28,7 @@ void zone_options(CLI::App& app, MillOptions& o) {
   millimetres(app.add_option("--top", o.top, translated(texts::mill_options::top)))->capture_default_str();
 }
 
-/// Adds the options that say in which passes the zone is milled.
+/// Adds the options that state with which passes the area is milled.
 void scheme_options(CLI::App& app, MillOptions& o) {
   known_by(app.add_option("--scheme", o.scheme, translated(texts::mill_options::scheme)), translated(texts::mill_options::scheme_name),
            is_scheme, scheme_names());

@@ -1,4 +1,4 @@
-// The values of options: their names in the help, and checks. Used by the rest of cli.
+// Defines the values of options: their names in the help, and their checks. This file is used by the rest of cli.
 
 #include "cli/options/option_values.h"
 
@@ -28,7 +28,7 @@ std::string none_of(const std::string& word, const std::vector<std::string>& wor
   return translated(texts::option_values::none_of, word, joined(words, ", ")) + did_you_mean(word, words);
 }
 
-/// Accepts one of the words in any case, and replaces it by the word as listed.
+/// Returns a check that accepts one of the words in small or capital letters, and replaces the value by the word as it is in the list.
 CLI::Validator among(std::vector<std::string> words) {
   const auto find = [words = std::move(words)](std::string& word) {
     for (const std::string& known : words)
@@ -41,8 +41,8 @@ CLI::Validator among(std::vector<std::string> words) {
   return CLI::Validator(find, "");
 }
 
-/// Accepts an id and writes it in small letters; the name of a user's file stays unchanged, and the reader reports a missing file.
-/// `further_names` is called only if the word is not an id, because it unpacks every built-in file.
+/// Makes the option accept an id, which is converted to small letters. The name of a user's file is not changed; if the file is missing,
+/// the function that reads it reports the error. `further_names` is called only if the word is no id, since it unpacks all built-in files.
 CLI::Option* id_of(CLI::Option* option, std::vector<std::string> (*ids)(), std::vector<std::string> (*further_names)()) {
   const auto find = [=](std::string& word) {
     for (const auto names : {ids, further_names}) {
@@ -58,7 +58,7 @@ CLI::Option* id_of(CLI::Option* option, std::vector<std::string> (*ids)(), std::
   return takes(option, translated(texts::option_values::id))->transform(CLI::Validator(find, ""));
 }
 
-/// The message for a word that is not a number within the limits.
+/// Returns the message for a word that is not a number within the limits.
 std::string number_wanted(const std::string& word, bool whole, double least, double most) {
   namespace wanted = texts::option_values;
   const auto text = [](double n) { return std::abs(n) < 1e15 ? fmt::format("{:.15g}", n) : fmt::format("{}", n); };

@@ -1,4 +1,4 @@
-// kadr run, check, setup: their options.
+// kadr run, check, setup: defines the options of these commands.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -77,7 +77,7 @@ void memory_option(CLI::App& app, Options& o) {
 
 namespace {
 
-/// Reads a change of the feed override, `SECONDS:PERCENT`, as in 2.5:50.
+/// Reads a change of the feed override in the form `SECONDS:PERCENT`, e.g. 2.5:50.
 OverrideChange override_change(const std::string& text) {
   const char* const end = text.data() + text.size();
   OverrideChange change;
@@ -116,7 +116,7 @@ void picture_options(CLI::App& run, Options& o) {
   writes_file(run.add_option("--plot-speed", o.plot_speed, plain_text(texts::run_options::speed_plot)));
 }
 
-/// Adds the options for the results of a run, and for the part of the program that is run.
+/// Adds the options that select the results of a run, and those that select a part of the program.
 void result_options(CLI::App& run, Options& o) {
   writes_file(run.add_option("--trace", o.trace, plain_text(texts::run_options::trace)));
   writes_file(run.add_option("--state", o.state, plain_text(texts::run_options::state_file)));

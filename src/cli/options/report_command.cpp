@@ -1,4 +1,4 @@
-// kadr report: its options.
+// kadr report: defines the options of the command.
 
 #include <CLI/CLI.hpp>
 

@@ -1,4 +1,4 @@
-// Describes an error in the command line, and suggests what the user may have meant. Used by cli/main.
+// Describes an error in the command line, and suggests what the user may have meant. This file is used by cli/main.
 
 #include "cli/options/usage_error.h"
 
@@ -17,7 +17,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Returns the innermost command that the command line names: `decode` for `kadr tape decode`.
+/// Returns the innermost command that the command line names, e.g. `decode` for `kadr tape decode`.
 const CLI::App& called(const CLI::App& app) {
   const auto parsed = app.get_subcommands();
   return parsed.empty() ? app : called(*parsed.front());
@@ -36,7 +36,7 @@ std::vector<std::string> options_of(const CLI::App& app) {
   return names;
 }
 
-/// The message for a word that is not a command.
+/// Returns the message for a word that is not a command.
 std::string no_command(const CLI::App& app, const std::string& word) {
   const auto names = commands_of(app);
   const std::string meant = did_you_mean(word, names);
@@ -44,8 +44,8 @@ std::string no_command(const CLI::App& app, const std::string& word) {
   return translated(texts::usage::no_command_among, word, fmt::format("{}", fmt::join(names, ", ")));
 }
 
-/// Returns the message for the first argument that no command accepts. Unknown options come first, since the value of an unknown option is
-/// not accepted either.
+/// Returns the message for the first argument that no command accepts. An unknown option is reported before other arguments, since the
+/// parser does not accept its value either.
 std::optional<std::string> left_over(const CLI::App& app, const CLI::App& command) {
   const std::vector<std::string> words = app.remaining(true);
   const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-' && word != "--"; };
@@ -60,7 +60,7 @@ std::optional<std::string> left_over(const CLI::App& app, const CLI::App& comman
   return translated(texts::usage::too_many_arguments, *word, whole_name(command));
 }
 
-/// The message for a required option or command that is missing.
+/// Returns the message for a required option or command that is missing.
 std::string missing(const CLI::App& command) {
   for (const CLI::Option* const option : command.get_options({}))
     if (option->get_required() && option->count() == 0)
@@ -68,20 +68,20 @@ std::string missing(const CLI::App& command) {
   return translated(texts::usage::command_missing, fmt::format("{}", fmt::join(commands_of(command), ", ")));
 }
 
-/// Returns the option that a message of CLI11 is about. The message names the option at its beginning, or after the first ": ".
+/// Returns the option to which a message of CLI11 refers. The message names the option at its beginning, or after the first ": ".
 const CLI::Option* option_of(const CLI::App& command, const std::string& sentence) {
   const CLI::Option* found = nullptr;
   std::size_t first = std::string::npos;
   for (const CLI::Option* const option : command.get_options({})) {
     const std::size_t at = sentence.find(option->get_name());
-    // If --plot and --plot-speed both match at the same position, the longer name is meant.
+    // If --plot and --plot-speed both match at the same position, the message refers to the longer name.
     if (at < first || (at != std::string::npos && at == first && option->get_name().size() > found->get_name().size()))
       first = at, found = option;
   }
   return found;
 }
 
-/// The message for too few values, too many, or one for an option without values.
+/// Returns the message for too few values, for too many values, or for a value of an option that has none.
 std::string wrong_count(const CLI::App& command, const std::string& sentence) {
   const CLI::Option* const option = option_of(command, sentence);
   if (option == nullptr) return sentence;
@@ -99,7 +99,7 @@ std::string sentence_of(const CLI::App& app, const CLI::App& command, const CLI:
     if (const auto word = left_over(app, command)) return *word;
   if (required) return missing(command);
   if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr)
-    return error.what();  // from Kadr's own checks (cli/options/option_values)
+    return error.what();  // the message comes from Kadr's own checks (cli/options/option_values), so it is already clear
   return wrong_count(command, error.what());
 }
 

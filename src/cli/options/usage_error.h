@@ -10,7 +10,7 @@ class ParseError;
 
 namespace kadr::cli {
 
-/// Returns two lines: the error, and a suggestion or a hint to --help. `app` must be in the state in which the parser threw `error`.
+/// Returns two lines: the error, and a suggestion or a hint to --help. `app` must be in the state in which its parser threw `error`.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace kadr::cli

@@ -1,4 +1,4 @@
-// CairoCanvas: draws a page as pixels. Used by out/text/page_file.
+// CairoCanvas: draws a page as pixels. It is used by out/text/page_file.
 
 #include "out/picture/cairo_canvas.h"
 
@@ -7,7 +7,8 @@
 namespace kadr {
 namespace {
 
-/// Creates a Cairo surface from the pixels of an image. The image must outlive the surface; Cairo only reads the pixels.
+/// Creates a Cairo surface from the pixels of an image. The image must outlive the surface. Cairo reads the pixels but does not change
+/// them.
 cairo_surface_t* surface_of(const Cairo& lib, const Pixels& picture) {
   auto* const data = reinterpret_cast<unsigned char*>(const_cast<std::uint32_t*>(picture.argb.data()));
   return lib.image_surface_create_for_data(data, CAIRO_FORMAT_ARGB32, picture.width, picture.height, picture.width * 4);

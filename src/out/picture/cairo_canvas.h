@@ -1,5 +1,5 @@
 #pragma once
-// CairoCanvas: the Canvas that draws a page as pixels, with the Cairo library.
+// CairoCanvas: an implementation of Canvas that draws a page as pixels with the Cairo library.
 
 #include "out/picture/cairo_library.h"
 #include "out/picture/canvas.h"
@@ -23,7 +23,7 @@ class CairoCanvas final : public Canvas {
   void line_to(Vec2 p) override { lib_.line_to(cairo_, p.x, p.y); }
   void fill_path() override { lib_.fill(cairo_); }
   void stroke() override { lib_.stroke(cairo_); }
-  /// Returns Cairo's status: the first error since the drawing began.
+  /// Returns the first error of Cairo since the drawing began, or its status "success".
   cairo_status_t status() const { return lib_.status(cairo_); }
 
  private:
@@ -33,7 +33,7 @@ class CairoCanvas final : public Canvas {
   cairo_t* cairo_;
 };
 
-/// Returns the picture as a PNG file; empty if Cairo is missing.
+/// Returns the picture as a PNG file. The result is empty if Cairo is not available.
 std::string png_of(const Pixels& picture);
 
 }  // namespace kadr

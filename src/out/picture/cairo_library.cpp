@@ -1,5 +1,5 @@
-// Loads Cairo when the first pixel picture is drawn: loading it and its fifteen libraries at the start took a fifth of every command's
-// start-up time. Used by out/picture/cairo_canvas.
+// Loads the Cairo library when the first pixel picture is drawn. At the start of the program, loading Cairo and its fifteen libraries took
+// a fifth of the start-up time of every command. This file is used by out/picture/cairo_canvas.
 
 #include "out/picture/cairo_library.h"
 

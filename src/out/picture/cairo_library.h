@@ -1,6 +1,6 @@
 #pragma once
-// Loads the Cairo library when the first pixel picture is drawn. Loading Cairo and the fifteen libraries that it needs at program start
-// took a fifth of the start-up time of every command.
+// Loads the Cairo library when the first pixel picture is drawn. At the start of the program, loading Cairo and the fifteen libraries that
+// Cairo needs took a fifth of the start-up time of every command.
 
 #include <cairo.h>
 
@@ -14,14 +14,14 @@ namespace kadr {
   X(surface_set_device_scale) X(surface_status) X(surface_write_to_png_stream) X(text_extents)
 // clang-format on
 
-/// The functions of Cairo that Kadr calls, each named without its prefix `cairo_`.
+/// The functions of Cairo that Kadr calls. The name of each member is the name of the function without its prefix `cairo_`.
 struct Cairo {
 #define KADR_CAIRO_FUNCTION(name) decltype(&::cairo_##name) name = nullptr;
   KADR_CAIRO(KADR_CAIRO_FUNCTION)
 #undef KADR_CAIRO_FUNCTION
 };
 
-/// Returns the library, or nullptr if this machine has no Cairo. The first call loads it; it stays loaded.
+/// Returns the library, or nullptr if this computer has no Cairo. The first call loads the library, which then remains loaded.
 const Cairo* cairo_library();
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Canvas: the few strokes, areas and texts that a picture needs, drawn in the order of the calls. Used by the rest of out.
+// Canvas: an interface for drawing strokes, areas and texts, in the order of the calls. It is used by the rest of out.
 
 #include "out/picture/canvas.h"
 
@@ -29,9 +29,9 @@ void Canvas::text(Vec2 at, std::string_view text, const TextStyle& style) {
   if (!text.empty()) put_text(at, printable(text), style);
 }
 
-/// Draws the workshop's symbol of an origin: a circle with two black quarters.
+/// Draws the symbol of an origin as in workshop drawings: a circle with two black quarters.
 void Canvas::zero_mark(Vec2 centre, double radius, Colour ink) {
-  constexpr int steps = 8;  // number of lines that draw a quarter circle
+  constexpr int steps = 8;  // number of straight lines that approximate a quarter circle
   const auto sector = [&](double start, double end, Colour colour) {
     pen(colour, 1);
     move_to(centre);

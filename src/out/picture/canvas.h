@@ -38,14 +38,15 @@ struct TextStyle {
   bool bold = false;
 };
 
-/// The line of the part program that a drawn stroke comes from.
+/// A line of a program file, from which a drawn stroke comes.
 struct ProgramLine {
-  std::uint32_t line = 0;  // line number, from 1; 0: the stroke has no program line
+  std::uint32_t line = 0;  // line number, counted from 1; 0: the stroke comes from no program line
   std::uint16_t file = 0;  // Origin::file
   friend bool operator==(const ProgramLine&, const ProgramLine&) = default;
 };
 
-/// A finished pixel image, row by row from the top. A pixel is 0xAARRGGBB; its colours are already multiplied by A / 255.
+/// A finished pixel image. The pixels are stored row by row from the top. A pixel is 0xAARRGGBB, and its colours are already multiplied by
+/// A / 255.
 struct Pixels {
   int width = 0, height = 0;
   std::vector<std::uint32_t> argb;
@@ -61,19 +62,19 @@ class Canvas {
   virtual void fill(const Area& area, Colour ink) = 0;
   void frame(const Area& area, Colour ink, double width = 1);
   void line(Vec2 a, Vec2 b, Colour ink, double width = 1);
-  /// Draws UTF-8 text; characters that cannot be shown are replaced.
+  /// Draws UTF-8 text. Characters that cannot be shown are replaced.
   void text(Vec2 at, std::string_view text, const TextStyle& style);
   virtual void ring(Vec2 centre, double radius, Colour ink, double width) = 0;
   void zero_mark(Vec2 centre, double radius, Colour ink);
   void arrow(Vec2 from, Vec2 to, Colour ink, double width);
 
-  /// Draws the pixel image, scaled to fill the area.
+  /// Draws a pixel image, scaled so that it fills the area.
   virtual void pixels(const Area& area, const Pixels& picture) = 0;
 
   virtual void clip(const Area& area) = 0;
   virtual void unclip() = 0;
 
-  /// Sets colour and width of all strokes that follow.
+  /// Sets the colour and the width of all strokes that follow, until the next call.
   virtual void pen(Colour ink, double width) = 0;
   virtual void dashes(double on, double off) = 0;
   void solid() { dashes(0, 0); }
@@ -83,14 +84,14 @@ class Canvas {
   virtual void fill_path() = 0;
   virtual void stroke() = 0;
 
-  // ---- structure that only an SVG stores; a pixel image ignores these calls
+  // ---- structure of the page that only an SVG stores; for pixel images these functions do nothing
 
-  /// Begins a named group of the page: "view-xy".
+  /// Begins a group of strokes with a name, e.g. "view-xy".
   virtual void begin(const char* /*name*/) {}
   virtual void end() {}
-  /// Marks the strokes that follow with their type of motion, such as "rapid". An empty name ends the marking.
+  /// Gives the strokes that follow a type of motion as their name, such as "rapid". An empty name ends this.
   virtual void kind(const char* /*name*/) {}
-  /// Returns true if the canvas stores the program line of each stroke, so that strokes of different lines must not be joined.
+  /// True if the canvas stores the program line of each stroke. Then strokes of different lines must not be joined.
   virtual bool tags_lines() const { return false; }
   /// Sets the program line of the strokes that follow.
   ///   file_name  name of the called file that contains the line

@@ -1,4 +1,4 @@
-// Maps deviations to blue, grey and red. Used by out/picture/part_page.
+// Converts deviations to colours: blue, grey and red. This file is used by out/picture/part_page.
 
 #include "out/picture/deviation_colour.h"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t as_wanted = 0xC9CED6, little_left = 0x9DBBE8, much_left = 0x1B4FB0, little_gouged = 0xF0A8A0,
                         much_gouged = 0xB01818;
 constexpr int scale_steps = 60;
-constexpr double beside = 150;  // units of the page: space for a word at either end of the scale
+constexpr double beside = 150;  // width that the word at each end of the colour scale needs, units of the page
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The page that compares two programs. Used by compare/difference_plot; tested by tests/diff_plot.py.
+// Draws the page that compares two programs. This file is used by compare/difference_plot and tested by tests/diff_plot.py.
 
 #include "out/picture/difference_page.h"
 
@@ -17,8 +17,10 @@ namespace {
 constexpr double page_wide = 1600, views_height = 1082, edge_room = 28, room_between = 26;
 constexpr double head_height = 70, key_height = 56, key_row = 24, right_width = 560;
 constexpr double line_height = 21, line_size = 13, caption_room = 24;
-constexpr double most_large = 4, most_flat = 1.5;  // path / cutting size up to which all rapids are shown: isometric, flat views
-constexpr std::size_t few_lines = 5;               // up to this number of lines below the picture, each has its own row
+// greatest ratio of the size of the whole path to that of the cutting at which all rapids are shown: in the isometric view, in the flat
+// views
+constexpr double most_large = 4, most_flat = 1.5;
+constexpr std::size_t few_lines = 5;  // greatest number of text lines below the picture that each have a row of their own
 constexpr std::size_t max_line_length = 300;
 constexpr Colour faint = colour(0x5B6775), fine = colour(0x1A7F37), warns = colour(0xB04A00);
 
@@ -28,9 +30,10 @@ std::size_t rows_of(const DifferencePage& page) { return page.lines.size() <= fe
 
 double height_of(const DifferencePage& page) { return views_height + (page.lines.empty() ? 0 : double(rows_of(page)) * line_height + 16); }
 
-constexpr double bold = 1.16, max_name = 420;  // width of bold text relative to normal; greatest width of a name, units of the page
+// ratio of the widths of bold and normal text; greatest width of a program name, units of the page
+constexpr double bold = 1.16, max_name = 420;
 
-/// Shortens the text to the beginning that fits into the width.
+/// Shortens the text so that it fits into the width. The beginning of the text remains.
 std::string fitting(std::string text, double width, double size) {
   text = shortened_line(text, max_line_length);
   if (text_width(text, size) <= width) return text;
@@ -82,7 +85,7 @@ void draw_key(Canvas& canvas, const DifferencePage& page, double y) {
   canvas.end();
 }
 
-/// Draws the flat views: the plan, the close-ups, and the side views if there is room.
+/// Draws the flat views: the plan, the close-ups and, if the space suffices, the side views.
 void draw_right(Canvas& canvas, const DifferencePage& page, const Area& area, const Box& box) {
   constexpr double gap = 8;
   const double plan = area.height * (page.closeups.empty() ? 0.46 : 0.36), side = (area.height - plan - 2 * gap) / 2;

@@ -1,6 +1,6 @@
 #pragma once
-// The page that compares two programs. It shows the path that both follow, the paths that only one follows, the numbered differences, and
-// close-ups of the most important differences.
+// The page that compares two programs. It shows the path that both programs follow, the paths that only one of them follows, the numbered
+// differences, and close-ups of the most important differences.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -19,23 +19,23 @@ struct DifferenceCloseup {
   std::string caption;
 };
 
-/// The description of one difference, a line of text below the picture.
+/// A line of text below the picture, which describes one difference.
 struct DifferenceLine {
-  std::size_t number = 0;  // number of the difference; 0: the line is a remark about further differences
+  std::size_t number = 0;  // number of the difference; 0: the line mentions further differences
   std::string text;
 };
 
 struct DifferencePage {
-  const PlotScene& scene;  // the main picture; title.file names both programs
+  const PlotScene& scene;  // contents of the main picture; title.file contains the names of both programs
   std::string a, b;        // the names of the programs in the legend
   std::string summary;
   bool equal = false;
-  std::vector<DifferenceCloseup> closeups;  // at most two
+  std::vector<DifferenceCloseup> closeups;  // close-ups of differences, at most two
   std::vector<DifferenceLine> lines;
 };
 
-/// Draws the page; the ending of the file's name (.svg, .png) selects the format.
-///   returns  an error sentence
+/// Draws the page. The ending of the file's name (.svg, .png) selects the format.
+///   returns  an error sentence if the page cannot be drawn
 tl::expected<void, std::string> draw_difference_page(const ResultFile& file, const DifferencePage& page);
 
 }  // namespace kadr

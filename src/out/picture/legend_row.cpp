@@ -1,4 +1,4 @@
-// LegendRow: draws the entries of a legend from left to right. Used by out/picture/plot/plot_legend and out/picture/difference_page.
+// LegendRow: draws the entries of a legend from left to right. It is used by out/picture/plot/plot_legend and out/picture/difference_page.
 
 #include "out/picture/legend_row.h"
 

@@ -15,7 +15,7 @@ class LegendRow {
 
   LegendRow(Canvas& canvas, double x, double y) : canvas_(canvas), x_(x), y_(y) {}
 
-  /// Draws a short sample line in this style, followed by its name.
+  /// Draws a short line in this style as a sample, followed by its name.
   void sample(const PathStyle& style, std::string_view name);
   void sample(Colour of, std::string_view name) { sample({of, 3}, name); }
   void words(std::string_view text, double behind = between);

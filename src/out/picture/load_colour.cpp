@@ -1,4 +1,5 @@
-// Maps removal rates to blue, yellow and red. Used by out/picture/part_page; tested by tests/out/load_colour_test.cpp.
+// Converts removal rates to colours: blue, yellow and red. This file is used by out/picture/part_page and tested by
+// tests/out/load_colour_test.cpp.
 
 #include "out/picture/load_colour.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t light_load = 0x2F6FB3, middle_load = 0xF6E08A, heavy_load = 0xB71C1C, no_load = 0x9AA3AF;
 constexpr int load_steps = 60;
-constexpr double beside_load_key = 60;  // units of the page: space for a word at either end of the scale
+constexpr double beside_load_key = 60;  // width that the word at each end of the colour scale needs, units of the page
 constexpr double mark_radius = 11;
 
 float rate_of(std::int32_t sweep, const SweepRates& rates) {
@@ -52,8 +53,8 @@ void draw_load_marks(Canvas& canvas, const std::vector<LoadMark>& marks) {
     const auto covers = [&](const Vec2& other) { return std::hypot(other.x - mark.at.x, other.y - mark.at.y) < 2 * mark_radius; };
     if (std::any_of(drawn.begin(), drawn.end(), covers)) continue;
     drawn.push_back(mark.at);
-    for (double radius = mark_radius / 2; radius > 0.5; radius /= 2)  // rings of decreasing radius fill the disc
-      canvas.ring(mark.at, radius, colour(0xFFFFFF), 2 * radius);
+    // rings of decreasing radius fill the inside of the circle with white
+    for (double radius = mark_radius / 2; radius > 0.5; radius /= 2) canvas.ring(mark.at, radius, colour(0xFFFFFF), 2 * radius);
     canvas.ring(mark.at, mark_radius, colour(mark.rgb), 1.5);
     canvas.text({mark.at.x, mark.at.y + 4.5}, mark.text, {12, colour(mark.rgb), Align::centre, true});
   }

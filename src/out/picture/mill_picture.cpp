@@ -1,4 +1,4 @@
-// Draws a milled area in plan view, as SVG or PNG: its contours and the path of the tool centre. Used by cli/mill and
+// Draws a milled area in plan view, as SVG or PNG: its contours and the path of the tool centre. This file is used by cli/mill and
 // view/page/page_making.
 
 #include "out/picture/mill_picture.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double mill_page_width = 1000, mill_page_margin = 30, mill_title_height = 64, mill_legend_height = 40, tallest = 1400,
                  least_mill_size = 1;
-constexpr double mill_chord = 0.05;  // units of the page: greatest distance of an arc from the lines that replace it
+constexpr double mill_chord = 0.05;  // greatest distance of an arc from the straight lines that approximate it, units of the page
 constexpr Colour contour = colour(0x20262E), open_side = colour(0xB04A00), cutting = colour(0x1F6FEB), swept_ink = colour(0xE2ECFB),
                  plunging = colour(0x1A9850), rapid = colour(0x8A949F);
 
@@ -98,7 +98,7 @@ class Drawing {
     canvas.solid();
   }
 
-  /// Draws arrows on the long segments, in the direction of motion.
+  /// Draws arrows in the direction of motion on the long segments.
   void arrows(Canvas& canvas) const {
     for (std::size_t i = 1; i < picture_.moves.size(); ++i) {
       const area::Move& m = picture_.moves[i];

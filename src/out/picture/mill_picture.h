@@ -1,5 +1,5 @@
 #pragma once
-// Draws a milled area in plan view, as SVG or PNG: its contours and the path of the tool centre.
+// Draws a milled area in plan view, as SVG or PNG. The picture shows the contours and the path of the tool centre.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -21,11 +21,11 @@ struct MillPicture {
   Lang lang = Lang::en;
 };
 
-/// Draws the picture; the ending of the file's name (.svg, .png) selects the format.
-///   returns  an error sentence
+/// Draws the picture. The ending of the file's name (.svg, .png) selects the format.
+///   returns  an error sentence if the picture cannot be drawn
 tl::expected<void, std::string> draw_milling(const ResultFile& file, const MillPicture& picture);
 
-/// Returns the picture as SVG; empty if memory ran out.
+/// Returns the picture as SVG; empty if the memory was not sufficient.
 std::string milling_svg(const MillPicture& picture);
 
 }  // namespace kadr

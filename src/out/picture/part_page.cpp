@@ -1,4 +1,4 @@
-// The page of a cut part. Used by cli/cut; tested by tests/out/part_view_test.cpp.
+// Draws the page of a cut part. This file is used by cli/cut and tested by tests/out/part_view_test.cpp.
 
 #include "out/picture/part_page.h"
 
@@ -18,9 +18,9 @@ namespace {
 
 constexpr double part_page_width = 1600, part_page_height = 1060, part_margin = 28, part_gap = 14;
 constexpr double heading = 80, large_width = 900, caption_height = 60;
-constexpr double sharpness = 1.5;  // pixels per unit of the page
+constexpr double sharpness = 1.5;  // number of pixels per unit of the page
 constexpr double name_height = 24;
-constexpr double room = 0.92;  // the share of a view's area that the part fills
+constexpr double room = 0.92;  // greatest fraction (0 to 1) of the width and height of a view that the part fills
 
 constexpr std::array<std::uint32_t, 8> tool_colours = {0x6FA8DC, 0xE69F56, 0x7BB661, 0xC27BA0, 0xD9C04F, 0x8E7CC3, 0x5FB8B0, 0xCC6666};
 constexpr std::uint32_t blank_colour = 0xC9CED6;
@@ -53,7 +53,7 @@ ColourScales scales_of(const PartScene& scene) {
   return {deviation_scale(scene.deviation.of_point, scene.deviation.within), greatest_rate(scene.surface.made_by, scene.load.rates)};
 }
 
-/// Returns the colour of a triangle: by its deviation, or by the sweep that cut it last.
+/// Returns the colour of a triangle. It depends on the deviation of the triangle, or on the sweep that cut it last.
 std::uint32_t colour_of_triangle(const PartScene& scene, const ColourScales& scales, std::size_t triangle) {
   if (scene.colour == PartColour::deviation) {
     double sum = 0;
@@ -69,14 +69,14 @@ std::uint32_t colour_of_triangle(const PartScene& scene, const ColourScales& sca
   return tool_colours[scene.colours[std::size_t(by)] % tool_colours.size()];
 }
 
-/// Returns the scale, in pixels per mm, at which the whole part fits into the area.
+/// Returns the scale, pixels per mm, at which the whole part fits into the area.
 double scale_for(const Box3& box, const ViewDirection& view, const Area& area) {
   const Vec3 size = box.most - box.least;
   const auto reach = [&](const Vec3& axis) { return std::abs(axis.x) * size.x + std::abs(axis.y) * size.y + std::abs(axis.z) * size.z; };
   return room * sharpness * std::min(area.width / std::max(reach(view.right), 1e-9), area.height / std::max(reach(view.up), 1e-9));
 }
 
-/// Returns the area without its top strip, which contains the name of the view.
+/// Returns the area without its upper border, which contains the name of the view.
 Area below_name(const Area& area) { return {area.x, area.y + name_height, area.width, area.height - name_height}; }
 
 void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale, const char* name) {
@@ -88,7 +88,7 @@ void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view
   canvas.text({area.x + 8, area.y + 18}, name, {13, colour(0x5B6775), Align::left, false});
 }
 
-/// Marks collisions by their line numbers and, if coloured by load, the heaviest program lines by their rank.
+/// Draws line numbers at collisions. If the surface is coloured by load, also draws the ranks of the program lines with the heaviest load.
 void draw_marks(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale) {
   const Area inner = below_name(area);
   const Vec3 centre = 0.5 * (scene.box.least + scene.box.most);

@@ -1,6 +1,6 @@
 #pragma once
-// The page of a cut part: a large view from the front right above, and six side views. The surface is coloured by tool, age, deviation or
-// load.
+// The page of a cut part. It contains a large view from the front, right and above, and six side views. The colour of the surface shows the
+// tool, the age, the deviation or the load.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -18,22 +18,22 @@ enum class PartColour : std::uint8_t { tool, age, deviation, load };
 struct PartTitle {
   std::string file, control;
   Lang lang = Lang::en;
-  std::string caption;              // text below the title: the volume removed, and the cell size
-  std::vector<std::string> legend;  // labels by colour number, for PartColour::tool: "T1"
+  std::string caption;              // text below the title, which states the removed volume and the cell size
+  std::vector<std::string> legend;  // texts of the legend for PartColour::tool, e.g. "T1", by number of the colour
 };
 
 struct PartDeviation {
-  std::vector<float> of_point;  // deviation of each surface point, mm; positive: outside the target part
-  double within = 0;            // mm; a smaller deviation counts as 0
+  std::vector<float> of_point;  // deviation of each surface point, mm; positive: the point is outside the target part
+  double within = 0;            // greatest deviation that counts as none, mm
 };
 
-/// The removal rates, and the positions of the heaviest load.
+/// The removal rates, and the positions with the heaviest load.
 struct PartLoad {
   SweepRates rates;
-  std::vector<Vec3> heaviest;  // positions of the program lines with the greatest removal rate; the first is number 1
+  std::vector<Vec3> heaviest;  // positions of the program lines with the greatest removal rates, in descending order of the rate
 };
 
-/// The position of a collision with the material.
+/// The position at which a tool or holder collided with the material.
 struct CollisionMark {
   Vec3 at;
   std::uint32_t line = 0;
@@ -43,15 +43,15 @@ struct PartScene {
   const Surface& surface;
   Box3 box;  // bounding box of the blank
   PartColour colour = PartColour::tool;
-  std::vector<std::uint8_t> colours;  // legend number of each sweep's tool, for PartColour::tool
+  std::vector<std::uint8_t> colours;  // for each sweep, the index of its tool in the legend; used for PartColour::tool
   PartTitle title;
   PartDeviation deviation;  // for PartColour::deviation
   PartLoad load{};          // for PartColour::load
   std::vector<CollisionMark> collisions{};
 };
 
-/// Draws the page; the ending of the file's name (.svg, .png) selects the format. The caller calls ResultFile::keep().
-///   returns  an error sentence
+/// Draws the page. The ending of the file's name (.svg, .png) selects the format. Afterwards the caller must call ResultFile::keep().
+///   returns  an error sentence if the page cannot be drawn
 tl::expected<void, std::string> draw_part_page(const ResultFile& file, const PartScene& scene);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Draws a cut part as pixels. Used by out/picture/part_page; tested by tests/out/part_view_test.cpp.
+// Draws a cut part as pixels. This file is used by out/picture/part_page and tested by tests/out/part_view_test.cpp.
 
 #include "out/picture/part_view.h"
 
@@ -11,9 +11,9 @@
 namespace kadr {
 namespace {
 
-constexpr double ambient = 0.35, facing = 0.5, from_above_left = 0.15;  // shares of a triangle's brightness
+constexpr double ambient = 0.35, facing = 0.5, from_above_left = 0.15;  // weights of the three components of a triangle's brightness
 
-/// A corner of a triangle in pixels; `near` grows towards the viewer.
+/// A corner of a triangle in the image, pixels. `near` increases towards the viewer.
 struct Corner {
   double x, y, near;
 };
@@ -32,8 +32,8 @@ class Painter {
             dot(from, direction_.towards)};
   }
 
-  /// Draws a triangle that faces the viewer, that is, whose corners run counter-clockwise in the image; skips any other triangle, since
-  /// it is hidden.
+  /// Draws a triangle that faces the viewer, which is the case if its corners run counter-clockwise in the image. Any other triangle is
+  /// hidden and is not drawn.
   void paint(const std::array<Corner, 3>& c, std::uint32_t rgb) {
     const double area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
     if (!(area < 0)) return;

@@ -1,5 +1,5 @@
-// Draws the picture of `kadr run --plot-speed`: speed along the path with the commanded feed, and how near the axes are to their
-// acceleration and jerk limits, over the time of the planner of least time. Used by session/planned.
+// Draws the picture of `kadr run --plot-speed`. It shows, over the time of the least-time planner, the speed along the path with the
+// commanded feed, and the axes' accelerations and jerks relative to their limits. This file is used by session/planned.
 
 #include "out/picture/speed_page.h"
 
@@ -27,11 +27,11 @@ using Column = SpeedRecord::Column;
 constexpr double speed_page_width = 1600, speed_page_height = 984, speed_page_margin = 28, left = 96, top = 112;
 constexpr double speed_height = 400, share_height = 130, speed_gap = 42, ribbon_height = 12;
 constexpr Colour feed_ink = colour(0xE69F00);
-/// Colours in the order of the enum Spent::On.
+/// Colours of the activities for which time is spent, in the order of the enum Spent::On.
 constexpr std::array<unsigned, 4> inks_of_time = {0x0072B2, 0x7A8794, 0xF0C93A, 0xCC79A7};
 constexpr std::array<unsigned, 6> inks_of_axes = {0xD55E00, 0x009E73, 0x6A3D9A, 0x56B4E9, 0xB2182B, 0x8C6D31};
 
-/// Texts in the order of the enum Spent::On.
+/// Names of the activities for which time is spent, in the order of the enum Spent::On.
 constexpr std::array<PlainText, 4> names_of_time = {texts::speed_page::cutting, texts::picture::rapid, texts::speed_page::dwell,
                                                     texts::speed_page::tool_change};
 
@@ -71,9 +71,10 @@ class SpeedPage {
   double x_of(double seconds) const { return left + width * std::min(1.0, seconds / record_.seconds()); }
   double x_of_column(std::size_t i) const { return x_of(static_cast<double>(i) * record_.width()); }
 
-  /// Determines the upper end of the speed scale from the cutting motions. Rapid motion above that speed is cut off.
+  /// Determines the upper end of the speed scale from the cutting motions. The curve of faster rapid motion is cut off there.
   void find_top_speed() {
-    constexpr double room = 1.1, max_feed = 4;  // multiples of the greatest cutting speed: scale's top; highest feed shown
+    // upper end of the speed scale and highest commanded feed that is shown, as multiples of the greatest cutting speed
+    constexpr double room = 1.1, max_feed = 4;
     double cutting = 0;
     for (const Column& c : columns_) {
       if (c.on == On::cutting) cutting = std::max(cutting, c.most), feed_ = std::max(feed_, c.feed);
@@ -97,7 +98,7 @@ class SpeedPage {
     canvas.text({speed_page_width - speed_page_margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
   }
 
-  /// Draws the frame, the heading, and horizontal lines with their values; `most` is the value at the upper border.
+  /// Draws a frame with its heading, and horizontal lines with their values. `most`: the value at the upper border.
   static void draw_field(Canvas& canvas, const Area& area, const std::string& heading, double most, double step) {
     canvas.fill(area, paper);
     for (double value = 0; value <= most; value += step) {
@@ -108,7 +109,8 @@ class SpeedPage {
     canvas.text({area.x, area.y - 9}, heading, {14, ink, Align::left, true});
   }
 
-  /// Calls `take` for each run of adjacent columns of the same type, with the indices of its first column and of the one after its last.
+  /// Calls `take` for each run of adjacent columns of the same type. Its arguments are the index of the first column of the run, and the
+  /// index after the last one.
   template <class Same, class Take>
   void each_run(const Same& same, const Take& take) const {
     for (std::size_t first = 0; first < columns_.size();) {
@@ -119,7 +121,7 @@ class SpeedPage {
     }
   }
 
-  /// Draws the outline of a run of columns as steps, from left to right or, if `back`, from right to left.
+  /// Draws the outline of a run of columns as steps, from left to right. If `back` is true, it is drawn from right to left.
   template <class Y>
   void steps(Canvas& canvas, std::size_t first, std::size_t end, bool back, bool begins, const Y& y) const {
     for (std::size_t n = first; n < end; ++n) {
@@ -146,7 +148,7 @@ class SpeedPage {
                canvas.line_to({x_of_column(end), area.bottom()});
                canvas.line_to({x_of_column(first), area.bottom()});
                canvas.fill_path();
-               light.alpha = 0.55;  // the area between the least and the greatest speed of each column
+               light.alpha = 0.55;  // the light area extends from the least to the greatest speed of each column
                canvas.pen(light, 1);
                steps(canvas, first, end, false, true, [&](const Column& c) { return y_of(c.most); });
                steps(canvas, first, end, true, false, [&](const Column& c) { return y_of(c.least); });
@@ -201,9 +203,10 @@ class SpeedPage {
     canvas.frame(area, edge, 1);
   }
 
-  /// Draws the axis below the diagrams: time, and the program line executed at that time.
+  /// Draws the axis below the diagrams, with the time and the program line that is executed at that time.
   void draw_time(Canvas& canvas, double y) const {
-    constexpr double spacing = 110, in_minutes = 180;  // units of the page between marks; time, s, above which minutes are shown
+    // distance between the marks of the axis, units of the page; time from which minutes are shown, s
+    constexpr double spacing = 110, in_minutes = 180;
     const bool minutes = record_.seconds() > in_minutes;
     const double least = record_.seconds() * spacing / width;
     const double step = minutes ? round_minutes(least) : round_step(least);
@@ -250,7 +253,7 @@ class SpeedPage {
       if (moves(axis)) entry(ink_of_axis(axis), axes_[axis], 11);
   }
 
-  /// True if this axis is the nearest to its limit at some time.
+  /// True if this axis is at some time nearer to its limit than the other axes.
   bool moves(std::size_t axis) const {
     return std::any_of(columns_.begin(), columns_.end(), [&](const Column& c) {
       return (c.acceleration.axis == axis && c.acceleration.part > 0) || (c.jerk.axis == axis && c.jerk.part > 0);
@@ -261,7 +264,7 @@ class SpeedPage {
   const std::vector<Column>& columns_;
   const std::vector<std::string>& axes_;
   const PlotTitle& title_;
-  const double per_minute_;  // factor from mm/s to the page's unit of speed
+  const double per_minute_;  // factor that converts mm/s to the speed unit of the page
   double feed_ = 0;          // the greatest commanded feed, mm/s
   double top_speed_ = 1;     // upper end of the speed scale, mm/min or in/min
 };

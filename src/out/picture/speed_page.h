@@ -1,6 +1,7 @@
 #pragma once
-// Draws the picture of `kadr run --plot-speed`. One diagram shows the speed along the path with the commanded feed, another how near the
-// axes are to their acceleration and jerk limits; both over the time that the planner of least time computes.
+// Draws the picture of `kadr run --plot-speed`. One diagram shows the speed along the path with the commanded feed. Another diagram shows
+// the axes' accelerations and jerks relative to their limits. The horizontal axis of both diagrams is the time that the least-time planner
+// computes.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -11,8 +12,8 @@
 
 namespace kadr {
 
-/// Draws the page; the ending of the file's name (.svg, .png) selects the format. `axes` are the names of the axes.
-///   returns  an error sentence
+/// Draws the page. The ending of the file's name (.svg, .png) selects the format. `axes`: the names of the axes.
+///   returns  an error sentence if the page cannot be drawn
 tl::expected<void, std::string> draw_speed_page(const ResultFile& file, const SpeedRecord& record, const std::vector<std::string>& axes,
                                                 const PlotTitle& title);
 

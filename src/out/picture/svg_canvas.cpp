@@ -1,4 +1,4 @@
-// SvgCanvas: writes a page as SVG while it is drawn; nothing is kept but the pen. Used by out/text/page_file.
+// SvgCanvas: writes a page as SVG while the page is drawn. Only the pen is stored. It is used by out/text/page_file.
 
 #include "out/picture/svg_canvas.h"
 
@@ -16,10 +16,10 @@
 namespace kadr {
 namespace {
 
-constexpr double farthest = 1e7;  // units of the page: points farther away are not visible
-constexpr int hundredths = 100;   // coordinates are written to 0.01 unit, which is finer than a screen shows at 50 times zoom
+constexpr double farthest = 1e7;  // units of the page: points farther away are not visible, so their coordinates are limited
+constexpr int hundredths = 100;   // number of coordinate steps per unit: 0.01 unit is finer than a screen shows at a zoom of 50 times
 
-/// Writes a coordinate without trailing zeros.
+/// Writes a coordinate without zeros at its end.
 char* put_coordinate(char* at, double value) {
   auto n = static_cast<std::int64_t>(std::lround(std::clamp(value, -farthest, farthest) * hundredths));
   if (n < 0) *at++ = '-', n = -n;
@@ -42,7 +42,7 @@ std::string hex(Colour ink) {
   return fmt::format("#{:02x}{:02x}{:02x}", part(ink.red), part(ink.green), part(ink.blue));
 }
 
-/// Returns the SVG attributes of a colour: ` fill="#0072b2" fill-opacity="0.14"`.
+/// Returns the SVG attributes of a colour, e.g. ` fill="#0072b2" fill-opacity="0.14"`.
 std::string ink_attributes(const char* what, Colour ink) {
   const std::string attribute = fmt::format(" {}=\"{}\"", what, hex(ink));
   return ink.alpha < 1 ? attribute + fmt::format(" {}-opacity=\"{}\"", what, svg_number(ink.alpha)) : attribute;
@@ -152,7 +152,7 @@ void SvgCanvas::program_line(const ProgramLine& line, std::string_view file_name
 }
 
 void SvgCanvas::move_to(Vec2 p) {
-  constexpr std::size_t most = 64;  // greatest number of characters that a point needs
+  constexpr std::size_t most = 64;  // greatest number of characters that the text of a point needs
   if (!in_path_) {
     take_group();
     put("<path d=\"");

@@ -1,7 +1,7 @@
 #pragma once
-// SvgCanvas: the Canvas that writes SVG while it draws; it keeps nothing in memory but the pen. Text stays text in the SVG. A stroke
-// stores the program line that it comes from (data-line, data-file). One stroke of each line has an id by which the line is found: l12,
-// or s1l12 in the first called file.
+// SvgCanvas: an implementation of Canvas that writes SVG while the page is drawn. Only the pen is stored. Text remains text in the SVG. A
+// stroke contains the program line from which it comes (data-line, data-file). One stroke of each line has an id by which a viewer finds
+// the line: l12, or s1l12 in the first called file.
 
 #include <cstdio>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// Title and description that the SVG contains.
+/// The title and the description in the SVG.
 struct PageText {
   std::string title;
   std::string description;
@@ -24,7 +24,7 @@ class SvgCanvas final : public Canvas {
   SvgCanvas(std::FILE* file, double width, double height, const PageText& says);
   ~SvgCanvas() override { finish(); }
 
-  /// Writes the end of the page. Returns the errno of a write error; 0: none.
+  /// Writes the end of the page. Returns the errno of a write error; 0 if there was no error.
   int finish();
 
   void fill(const Area& area, Colour ink) override;
@@ -61,7 +61,7 @@ class SvgCanvas final : public Canvas {
 
   TextBuffer text_;
   Pen pen_;
-  Pen group_;  // pen of the current group: strokes with the same pen share a group
+  Pen group_;  // pen of the current group: consecutive strokes with the same pen are in one group
   bool in_group_ = false;
   bool in_path_ = false;
   bool finished_ = false;

@@ -1,5 +1,5 @@
-// Computes the width of a picture's texts without a font library: the layout is the same on every machine and in both file formats. Used by
-// the rest of out.
+// Computes the width of text in a picture without a font library. The layout is therefore the same on every computer and in both file
+// formats. This file is used by the rest of out.
 
 #include "out/picture/text_width.h"
 
@@ -12,8 +12,9 @@ namespace {
 constexpr char32_t replacement = 0xFFFD;
 constexpr double em = 1000;
 
-// Advance widths of DejaVu Sans, in thousandths of its size.
-constexpr char32_t first_ascii = 0x20, first_cyrillic = 0x410;  // blank … ~; А … я
+// Widths of the characters of DejaVu Sans, in thousandths of the font size.
+// the tables of widths contain the characters from blank to ~ and from А to я
+constexpr char32_t first_ascii = 0x20, first_cyrillic = 0x410;
 constexpr std::array<std::uint16_t, 95> ascii = {
     318, 401, 460, 838, 636, 950, 780, 275, 390,  390, 500, 838, 318, 361, 318, 337, 636, 636, 636, 636, 636, 636, 636, 636,
     636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656, 557, 863, 748, 787,
@@ -24,7 +25,7 @@ constexpr std::array<std::uint16_t, 64> cyrillic = {684, 686, 686, 610, 781, 632
                                                     613, 617, 589, 525, 691, 615, 901,  532, 650,  650,  604, 639, 754, 654, 612,  654,
                                                     635, 550, 583, 592, 855, 592, 681,  591, 915,  942,  707, 790, 589, 549, 842,  602};
 
-/// Removes the first character from the text and returns it; for each byte that is not UTF-8 returns the replacement character.
+/// Removes the first character from the text and returns it. A byte that is not UTF-8 is returned as the replacement character.
 char32_t take_character(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -39,7 +40,8 @@ char32_t take_character(std::string_view& text) {
     whole = (byte(i) & 0xC0U) == 0x80;
     character = character << 6U | (byte(i) & 0x3FU);
   }
-  constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};  // least character by length in bytes; longer forms are invalid
+  // least character for each length in bytes; a longer form of a lower character is invalid
+  constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
   if (!whole || character < least[size]) character = replacement;
   text.remove_prefix(whole ? size : 1);
   return character;
@@ -61,7 +63,7 @@ void append(std::string& to, char32_t c) {
 
 double width_of(char32_t c) {
   constexpr double other = 640, wide = 1000;
-  constexpr char32_t first_wide = 0x1100;  // from here on (Hangul, East Asian scripts) characters are wide
+  constexpr char32_t first_wide = 0x1100;  // first character (Hangul) from which on characters count as wide, as in East Asian scripts
   if (c >= first_ascii && c < first_ascii + ascii.size()) return ascii[c - first_ascii];
   if (c >= first_cyrillic && c < first_cyrillic + cyrillic.size()) return cyrillic[c - first_cyrillic];
   return c >= first_wide ? wide : other;
@@ -76,7 +78,7 @@ double text_width(std::string_view text, double size) {
 }
 
 std::string printable(std::string_view text) {
-  constexpr char32_t pictures = 0x2400, deleted = 0x2421;  // first symbol of a control character; symbol of DEL
+  constexpr char32_t pictures = 0x2400, deleted = 0x2421;  // symbol of the first control character; symbol of the character DEL
   std::string clean;
   while (!text.empty()) {
     const char32_t c = take_character(text);

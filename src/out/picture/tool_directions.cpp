@@ -1,4 +1,4 @@
-// ToolDirections: collects directions of the tool along the path. Used by out/picture/plot/plot; tested by
+// ToolDirections: collects directions of the tool along the path. It is used by out/picture/plot/plot and tested by
 // tests/out/tool_directions_test.cpp.
 
 #include "out/picture/tool_directions.h"

@@ -1,6 +1,6 @@
 #pragma once
-// ToolDirections: stores the axis direction of a tilted tool at even distances along the cutting path. Memory is limited: when it is
-// full, every second direction is removed and the distance between directions doubles.
+// ToolDirections: stores the axis direction of a tilted tool at even distances along the cutting path. The memory is limited: when it is
+// full, every second direction is removed, and the distance between directions doubles.
 
 #include <vector>
 
@@ -9,21 +9,21 @@
 
 namespace kadr {
 
-/// The position of the tool tip, and the direction from the tip towards the spindle.
+/// The position of the tool tip, and the direction of the tool axis from the tip towards the spindle.
 struct ToolDirection {
   Vec3 at, direction;
 };
 
 class ToolDirections {
  public:
-  /// Stores at most `most` directions.
+  /// Creates an empty list, which stores at most `most` directions.
   explicit ToolDirections(std::size_t most = 240) : most_(most) {}
 
-  /// Consumes a motion. Stores directions only for cutting motions on a machine whose rotary axes rotate the tool or the part.
-  ///   shift  vector from work coordinates to the picture's coordinates
+  /// Processes a motion. Directions are stored only for cutting motions on a machine whose rotary axes turn the tool or the part.
+  ///   shift  vector from the work coordinates to the coordinates of the picture, mm
   void take(const Step& step, Vec3 shift);
 
-  /// Returns the stored directions; empty if the tool has always been parallel to Z.
+  /// Returns the stored directions. The result is empty if the tool has always been parallel to Z.
   std::vector<ToolDirection> leaning() const { return leans_ ? all_ : std::vector<ToolDirection>(); }
 
  private:
@@ -31,7 +31,8 @@ class ToolDirections {
 
   std::size_t most_;
   std::vector<ToolDirection> all_;
-  double step_ = 0.25, way_ = 0, next_ = 0;  // mm: distance between stored directions; path length so far; path length at the next one
+  // mm: distance between stored directions; length of the path so far; length of the path at which the next direction is stored
+  double step_ = 0.25, way_ = 0, next_ = 0;
   bool leans_ = false;
 };
 

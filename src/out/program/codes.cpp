@@ -1,4 +1,4 @@
-// Finds the code of a control that has a given function. Used by out/program/part_program and convert/block_maker.
+// Finds the code of a control for a function. This file is used by out/program/part_program and convert/block_maker.
 
 #include "out/program/codes.h"
 

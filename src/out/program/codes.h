@@ -1,5 +1,5 @@
 #pragma once
-// Finds the code of a control that has a given function, and formats it as that control writes it.
+// Finds the code of a control for a function, and formats the code as that control requires.
 
 #include <cstdint>
 #include <initializer_list>
@@ -13,24 +13,24 @@
 namespace kadr {
 
 inline constexpr int any_argument = -1;
-/// A function and its variant (CodeRow::arg). The variant any_argument matches every variant.
+/// A function and its variant (CodeRow::arg). The variant any_argument stands for every variant.
 using Wanted = std::pair<Function, int>;
 
-/// Returns the code of the row with as many digits as the control prints: G01 (spec/gost 3: 3G2).
+/// Returns the code of the row with as many digits as the control prints, e.g. G01 (spec/gost 3: 3G2).
 std::string with_digits(const ControlDef& def, const CodeRow& row);
 
 /// Returns an M code with as many digits as the control prints.
 std::string machine_code_text(const ControlDef& def, std::uint32_t code);
 
-/// Returns the first row of the control's code table that has one of the wanted functions and is implemented (CodeRow::works). Functions
-/// are tried in the given order. Returns nullptr if no row matches.
+/// Returns the first row of the control's code table that has one of the wanted functions and that Kadr implements (CodeRow::works). The
+/// functions are tried in the given order. Returns nullptr if no row matches.
 const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<Wanted> wanted);
 
-/// Like row_that_does(), but returns the code as the control writes it; nullopt if no row matches.
+/// Like row_that_does(), but returns the text of the code with the digits of the control; nullopt if no row matches.
 std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<Wanted> wanted);
 
-/// Returns the code of the highest feed or speed that is at most `wanted`, from a table of codes and their values (spec/gost 3); nullopt if
-/// all values are greater.
+/// Returns the code of the highest feed or speed that does not exceed `wanted`. `codes`: table of codes and their values (spec/gost 3).
+/// Returns nullopt if all values are greater.
 std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double wanted);
 
 }  // namespace kadr

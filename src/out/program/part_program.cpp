@@ -1,5 +1,6 @@
-// Part program: writes moves as the text that one control reads, from its word formats and rows (ControlDef), and compares them with the
-// moves that this text gives when it is read back. Used by cli/mill; tested by tests/out/part_program_test.cpp.
+// Part program: converts moves to the text of a program for one control, with the control's word formats and code table (ControlDef).
+// Compares the moves with those that the control executes from the text. This file is used by cli/mill and tested by
+// tests/out/part_program_test.cpp.
 
 #include "out/program/part_program.h"
 
@@ -20,8 +21,9 @@ namespace {
 using area::Move;
 using area::MoveKind;
 
-constexpr double written_chord = 0.005;  // mm between an arc and the lines that replace it: half of the controls' arc tolerance
-constexpr double shortest_arc = 10;      // length in least increments; a shorter arc is written as a line
+// greatest distance between an arc and the lines that replace it, mm: half of the controls' arc tolerance
+constexpr double written_chord = 0.005;
+constexpr double shortest_arc = 10;  // length of an arc in least increments below which a line replaces the arc
 constexpr int block_steps[] = {10, 5, 1};
 
 constexpr int any = any_argument;
@@ -52,7 +54,7 @@ class ProgramWriter {
     if (!block.empty()) block += ' ';
     block += word;
   }
-  /// Appends the word of a feed or a speed: its number is the value itself, or the value's code if the control has a table of codes.
+  /// Appends the word of a feed or a speed. Its number is the value itself, or the code of the value if the control has a table of codes.
   Status coded(std::string& block, char letter, const std::map<std::int32_t, double>& codes, double value) {
     if (codes.empty()) return word(block, letter, value);
     const auto code = code_below(codes, value);
@@ -96,7 +98,8 @@ class ProgramWriter {
   }
 
   Status tool_word(std::string& block) {
-    constexpr double corrector_digits = 100;  // T0404: tool 4 with offset number 4
+    // factor between tool number and offset number in one word: T0404 is tool 4 with offset number 4
+    constexpr double corrector_digits = 100;
     return word(block, 'T', def_.behaviour.tool_and_corrector ? technology_.tool * (corrector_digits + 1) : technology_.tool);
   }
 
@@ -152,7 +155,7 @@ class ProgramWriter {
     return need({{function, any}}, block);
   }
 
-  /// Writes the motion to the first point: first Z, then X and Y, wherever the tool is.
+  /// Writes the motion to the first point: first along Z, then along X and Y, because the position of the tool is unknown.
   Status first(Vec3 to) {
     std::string up, across;
     KADR_TRY(code(up, Function::rapid));
@@ -205,8 +208,8 @@ class ProgramWriter {
     return coded(block, 'F', def_.feed_codes, feed);
   }
 
-  /// Numbers the blocks N10, N20, … if N has enough digits, else in smaller steps. If no numbers fit, writes none; that is an error only
-  /// if the control needs block numbers.
+  /// Numbers the blocks N10, N20, …, or in smaller steps if N has too few digits. If no numbers fit, the blocks get none. That is an error
+  /// only if the control requires block numbers.
   Status number_blocks() {
     const WordFormat& n = def_.grammar.word('N');
     const bool free = n.whole_digits == 0;
@@ -246,7 +249,8 @@ Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::
 }
 
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {
-  constexpr double bulge_off = 0.1;  // greatest change of Move::bulge by rounding of words; an arc is at least ten increments long
+  // greatest change of Move::bulge that rounding of words may cause, since an arc is at least ten increments long
+  constexpr double bulge_off = 0.1;
   const auto differs = [](const area::Move& a, const area::Move& b) {
     return (a.kind == area::MoveKind::rapid) != (b.kind == area::MoveKind::rapid) || length(a.to - b.to) > tol::same_point * 10 ||
            std::abs(a.bulge - b.bulge) > bulge_off;

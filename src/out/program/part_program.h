@@ -1,6 +1,6 @@
 #pragma once
-// Part program: writes a list of moves as text for one control, by its word formats and code table (ControlDef), and checks that the
-// text, read back, gives the same moves.
+// Part program: converts a list of moves to the text of a program for one control, with the control's word formats and code table
+// (ControlDef). Also checks that the control executes the same moves from the text.
 
 #include <string>
 #include <vector>
@@ -11,28 +11,28 @@
 
 namespace kadr {
 
-/// The data of a program besides its moves: feeds, speed, tool, comment.
+/// The data of a program in addition to its moves: feeds, spindle speed, tool, comment.
 struct Technology {
   double feed = 0;         // mm/min
   double plunge_feed = 0;  // mm/min
-  double speed = 0;        // rev/min; 0: no speed is written
-  std::uint32_t tool = 0;  // tool number; 0: no tool change is written
+  double speed = 0;        // spindle speed, rev/min; 0: the program contains no speed
+  std::uint32_t tool = 0;  // tool number; 0: the program contains no tool change
   bool coolant = false;
-  std::string mark;     // end-of-block mark of the text: "ПС", "LF" or empty
-  std::string comment;  // comment at the beginning, written in brackets; empty: no comment
+  std::string mark;     // mark at the end of each block: "ПС", "LF" or empty
+  std::string comment;  // comment at the beginning of the program, written in brackets; empty: no comment
 };
 
 struct PartProgram {
   std::string text;               // UTF-8
-  std::vector<area::Move> moves;  // the moves with the coordinates as written, that is, rounded to the digits of the words
+  std::vector<area::Move> moves;  // the moves with the coordinates in the text, that is, rounded to the digits of the words
 };
 
-/// Writes the program. An arc becomes a line if rounding its words would exceed the control's arc tolerance, or if it is too short for
-/// the least increment.
+/// Creates the program. An arc becomes a line if rounded words would exceed the control's arc tolerance, or if the arc is too short for the
+/// least increment.
 ///   alarms  word_has_no_room, function_has_no_code
 Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::Move>& moves, const Technology& technology);
 
-/// Checks that both lists of moves follow the same path, point by point.
+/// Checks that the path of `read` is the same as that of `written`, point by point.
 ///   alarms  mill_read_back
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read);
 

@@ -1,4 +1,5 @@
-// Writes, as blocks, what must be set before a program continues. Used with session/restart; tested by tests/session/restart_test.cpp.
+// Converts the state that must be set before a program continues to blocks. This file is used together with session/restart and tested by
+// tests/session/restart_test.cpp.
 
 #include "out/program/restart_blocks.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 using Kind = InForce::Kind;
 
-/// Returns the first code of the table with that function; nullptr if there is none.
+/// Returns the first code in the table that has this function; nullptr if there is none.
 const CodeRow* row_of(const ControlDef& def, Function function) {
   const auto found = std::find_if(def.codes.begin(), def.codes.end(), [&](const CodeRow& row) { return row.function == function; });
   return found == def.codes.end() ? nullptr : &*found;
@@ -26,13 +27,14 @@ const CodeRow* row_of(const ControlDef& def, const InForce& one) {
   return found == def.codes.end() ? nullptr : &*found;
 }
 
-/// True for linear and rapid motion: the last motion block leaves one of them in force.
+/// True for linear and rapid motion. Such a code is written after the motions, since the motions change it.
 bool is_line(const CodeRow& row) { return row.function == Function::linear || row.function == Function::rapid; }
 
-/// True for G90 and G91 (absolute, incremental). They are written in blocks of their own after the motions, which are absolute.
+/// True for G90 and G91 (absolute, incremental). These codes are written in separate blocks after the motions, since the motions are
+/// absolute.
 bool is_distance(const CodeRow& row) { return row.function == Function::absolute || row.function == Function::incremental; }
 
-/// True if the code needs words whose values are not known here (data of a canned cycle, centre of a rotation), or if it acts at once.
+/// True if the code acts at once, or if it needs words whose values are unknown here (data of a canned cycle, centre of a rotation).
 bool wants_words(const CodeRow& row) {
   return row.needs != 0 || row.needs_axis || row.phase == Phase::motion || row.phase == Phase::transform ||
          row.phase == Phase::compensation || row.function == Function::tool_lead;
@@ -73,11 +75,11 @@ class RestartWriter {
     end();
     return {};
   }
-  /// Writes the code together with the number of the offset that it uses: `G43 H5`.
+  /// Writes the code together with the number of the offset that the code uses, e.g. `G43 H5`.
   Status code(const InForce& one, const std::vector<InForce>& in_force) {
     const CodeRow* const row = row_of(def_, one);
     if (row == nullptr || is_line(*row) || is_distance(*row)) return {};
-    // A code that switches something off needs no words; such codes are in force at power-on.
+    // A code that switches a mode off needs no words. Such a code is in force at power-on.
     const bool usual = row->group != 0 && def_.groups[row->group].power_on >= 0 &&
                        &def_.codes[static_cast<std::size_t>(def_.groups[row->group].power_on)] == row;
     if (wants_words(*row) && !usual) {
@@ -93,7 +95,8 @@ class RestartWriter {
       KADR_TRY(word(letter, offset.value));
       said_ |= letter_bit(letter);
     }
-    // Some controls accept a tool length only with a motion of the tool axis: the words are written in the first block with such a motion.
+    // Some controls accept a tool length only with a motion of the tool axis. Therefore the words are written in the first block with such
+    // a motion.
     if (row->phase == Phase::length && has_way_) with_way_ = std::exchange(line_, {});
     end();
     return {};
@@ -102,7 +105,7 @@ class RestartWriter {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def_, one) : nullptr;
     return row != nullptr && (row->function == Function::inch || row->function == Function::millimetre);
   }
-  /// True if a word with this letter was already written, in the block of the code that uses it.
+  /// True if the words already written include this letter, in the block of the code that uses the letter.
   bool has_written(char letter) const { return (said_ & letter_bit(letter)) != 0; }
   Status way(const BlockMove& to) {
     if (to.along_tool && !with_way_.empty()) add(std::exchange(with_way_, {}));
@@ -119,8 +122,8 @@ class RestartWriter {
 
   const ControlDef& def_;
   bool inch_, has_way_;
-  std::string with_way_;    // words for the first block that moves along the tool
-  std::uint64_t said_ = 0;  // bits of the letters already written
+  std::string with_way_;    // words for the first block that moves along the tool axis
+  std::uint64_t said_ = 0;  // bit set of the address letters already written
   std::string line_;
   RestartBlocks made_;
 };
@@ -132,18 +135,18 @@ bool is_set(const std::vector<InForce>& wanted, const ControlDef& def, Function 
   });
 }
 
-/// True if a code of a modal group states the spindle rotation or the coolant. That code is then written instead of the plain M code.
+/// True if a code of a modal group states the spindle rotation or the coolant. Then that code is written instead of the simple M code.
 bool is_written_by_group(const InForce& one, const std::vector<InForce>& in_force, const ControlDef& def) {
   return std::any_of(in_force.begin(), in_force.end(), [&](const InForce& other) {
     const CodeRow* const row = other.kind == Kind::code ? row_of(def, other) : nullptr;
     if (row == nullptr || row->letter != 'M') return false;
-    const bool both = row->tenth == 13_m || row->tenth == 14_m;  // M13, M14: spindle and coolant
+    const bool both = row->tenth == 13_m || row->tenth == 14_m;  // M13 and M14 each switch on spindle and coolant
     if (one.kind == Kind::spindle) return both || row->phase == Phase::spindle || row->phase == Phase::spindle_stop;
     return other.code == one.code || (both && one.code == "M8");
   });
 }
 
-/// Order of codes: coolant before spindle, because M13 switches on both.
+/// Order of the codes. Coolant comes before the spindle, because M13 switches on both.
 bool comes_before(const ControlDef& def, const InForce& a, const InForce& b) {
   const auto rank = [&](const InForce& one) {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
@@ -192,7 +195,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     if (writer.is_unit(one)) writer.line(one.code);
   for (const InForce& one : wanted) {
     if (one.kind != Kind::variable) continue;
-    // Variables are set before the motions, since work offsets may be among them.
+    // Variables are set before the motions, since some of them may be work offsets.
     if (one.name.starts_with('#') && def.grammar.expressions) writer.line(fmt::format("{}={:.9g}", one.name, one.value));
     else writer.by_hand(one);
   }
@@ -207,7 +210,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
   if (!way.empty())
     if (const CodeRow* const absolute = row_of(def, Function::absolute)) writer.line(absolute->code);
   for (const BlockMove& to : way) KADR_TRY(writer.way(to));
-  for (const InForce& one : in_force) {  // the motions may have changed these codes and the feed
+  for (const InForce& one : in_force) {  // the motions may have changed these codes and the feed, so they are written again
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
     if (row != nullptr && (is_line(*row) || is_distance(*row))) writer.line(one.code);
     if (one.kind == Kind::feed && one.value > 0) {
@@ -216,7 +219,8 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     }
   }
   for (const InForce& one : wanted) {
-    const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_written('H'));  // else H applies it
+    // false: the word H has already applied the tool length
+    const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_written('H'));
     const bool next_tool = one.kind == Kind::selected && !is_in_spindle(one, in_force);
     if (of_tables || next_tool || one.kind == Kind::rotation || one.kind == Kind::scale) writer.by_hand(one);
   }

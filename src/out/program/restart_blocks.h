@@ -1,5 +1,5 @@
 #pragma once
-// Writes, as blocks of the control, what must be set before a program can continue from its middle.
+// Converts the state that must be set before a program can continue from its middle to blocks of the control.
 
 #include <string>
 #include <vector>
@@ -13,18 +13,18 @@ namespace kadr {
 /// A straight motion to a position in work coordinates.
 struct BlockMove {
   bool rapid = true;
-  std::vector<std::pair<char, double>> to;  // axis letter, and the position in mm or degrees
-  double feed = 0;                          // mm/min; has no meaning for a rapid
-  bool along_tool = false;                  // only the tool axis moves, so that the block may also apply a tool length
+  std::vector<std::pair<char, double>> to;  // axis letter and end position, mm or degrees
+  double feed = 0;                          // feed, mm/min; has no meaning for a rapid
+  bool along_tool = false;                  // true: only the tool axis moves, so the block may also apply a tool length
 };
 
 struct RestartBlocks {
   std::vector<std::string> blocks;
-  std::vector<InForce> by_hand;  // state that no block can set: work offsets, tool lengths, variables that only the program computes
+  std::vector<InForce> by_hand;  // state that no block can set: work offsets, tool lengths, and variables that only the program computes
 };
 
 /// Writes the blocks in this order: unit, variables, tool, speed, codes in the order of their groups, offsets, spindle, coolant, the
-/// motions to the position, and finally the modes that those motions have changed.
+/// motions to the position. At the end come the modes that those motions have changed.
 ///   wanted    the state to be set: the Difference::wanted of each difference
 ///   in_force  Restart::in_force
 ///   alarms    word_has_no_room

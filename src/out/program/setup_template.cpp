@@ -1,4 +1,4 @@
-// Writes a set-up template as JSON that people read: one line for each row of a table. Used by cli/setup_command.
+// Writes a set-up for the user to complete, as readable JSON with one line for each table row. This file is used by cli/setup_command.
 
 #include "out/program/setup_template.h"
 

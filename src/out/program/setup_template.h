@@ -1,5 +1,5 @@
 #pragma once
-// Writes a set-up for the user to complete, as readable JSON: one line for each table row.
+// Writes a set-up for the user to complete, as readable JSON with one line for each table row.
 
 #include <map>
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace kadr {
 
-/// The content that `kadr setup` writes. A value that is not known is written as null, which means the same as an absent key.
+/// The content that `kadr setup` writes. An unknown value is written as null, which has the same meaning as a missing key.
 struct SetupTemplate {
   struct Row {
-    std::string name;                                                  // name of the table row: "1", "G54"
+    std::string name;                                                  // name of the table row, e.g. "1", "G54"
     std::vector<std::pair<std::string, std::optional<double>>> cells;  // key → value
   };
   std::vector<Row> offsets, work_offsets, zeros;

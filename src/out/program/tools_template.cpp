@@ -1,4 +1,4 @@
-// Writes a tools file for the user to complete. Used by cli/setup_command.
+// Writes a tools file for the user to complete. This file is used by cli/setup_command.
 
 #include "out/program/tools_template.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t comments_at = 32;  // column at which comments begin
 
-/// Replaces control characters by blanks, since a TOML comment must not contain them.
+/// Replaces control characters by blanks, since a comment in TOML must not contain them.
 std::string one_line(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ' || c == 0x7F) c = ' ';

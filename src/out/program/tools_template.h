@@ -1,5 +1,5 @@
 #pragma once
-// Writes a tools file for the user to complete, with the tool data that the comments of the program suggest.
+// Writes a tools file for the user to complete. It contains the tool data that the comments of the program suggest.
 
 #include <cstdint>
 #include <optional>
@@ -15,21 +15,21 @@ namespace kadr {
 struct ToolsTemplate {
   struct Row {
     std::uint32_t number = 0;
-    Origin called;                    // the block that first calls the tool
-    std::optional<ToolComment> said;  // data read from a comment; nullopt: no comment describes the tool
-    std::string why;                  // line number and text of the comment that `said` comes from
-    std::string not_sure;             // text of a comment that mentions the tool but no certain dimension
+    Origin called;                    // location of the block that calls the tool first
+    std::optional<ToolComment> said;  // data from the comment that describes the tool; nullopt: no comment describes the tool
+    std::string why;                  // line number and text of the comment from which `said` comes
+    std::string not_sure;             // text of a comment that mentions the tool but states no certain dimension
   };
   std::string program;
   Lang lang = Lang::en;
   std::vector<Row> rows;
 };
 
-/// Returns the key word of a tools file for the type of tool that the comment describes; empty if the type is not certain.
+/// Returns the key word of a tools file for the type of tool that the comment describes; empty if the type is uncertain.
 const char* kind_word(const ToolComment& said);
 
-/// Returns the TOML text (docs/commands/cut.md, "Tools"). A key without a known value is written as a TOML comment. Until the user
-/// completes it, Kadr refuses the file with an error that names the tool and the key.
+/// Returns the text of the tools file in TOML (docs/commands/cut.md, "Tools"). A key without a known value is written as a TOML comment.
+/// Until the user completes the key, Kadr refuses the file with an error that names the tool and the key.
 std::string tools_template_text(const ToolsTemplate& made);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// Formats the words (address and number) of one control by its word formats.
+// Formats the words (address and number) of one control according to its word formats.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace kadr {
 /// Formats the words of one address.
 class Words {
  public:
-  ///   more  additional decimals, if the format allows any number of decimals
+  ///   more  number of additional decimals, if the format allows any number of decimals
   Words(const ControlDef& def, char letter, int more = 0)
       : row_(def.address(letter)),
         format_(def.grammar.word(letter)),
@@ -34,14 +34,14 @@ class Words {
   double increment() const { return increment_; }
   double rounded(double value) const { return std::round(value / increment_) * increment_; }
 
-  /// Returns the word for a value in the unit of its address: mm, mm/min, …
+  /// Returns the word for a value in the unit of its address: mm, degrees, mm/min, …
   Result<std::string> word(double value) const {
     std::string text;
     if (!append(text, value)) return fail(alarm(AlarmId::word_has_no_room, {}, letter_, value));
     return text;
   }
-  /// Like word(), but appends the word to a text. Returns false, and leaves the text unchanged, if the value has too many digits for the
-  /// format.
+  /// Like word(), but appends the word to a text. If the value has too many digits for the format, the function returns false and does not
+  /// change the text.
   bool append(std::string& text, double value) const {
     const double counts = std::round(value / increment_);
     if (!known() || !(std::abs(counts) <= most_) || (counts < 0 && !format_.sign)) return false;
@@ -66,14 +66,14 @@ class Words {
     constexpr double powers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     return static_cast<std::size_t>(power) < std::size(powers) ? powers[power] : std::pow(10.0, power);
   }
-  static constexpr int free_decimals = 3;  // decimals of a word whose format has no limit: the controls' increment of 0.001 mm
+  static constexpr int free_decimals = 3;  // number of decimals of a word whose format has no limit: 3, for the usual increment of 0.001 mm
 
   int decimals_of() const {
     if (format_.implied || format_.fraction_digits > 0) return format_.fraction_digits;
     return format_.whole_digits > 0 || (!format_.point && row_.whole) ? 0 : free_decimals + more_;
   }
 
-  /// Always writes the decimal point of a length: without it some controls would count increments.
+  /// Appends the number of a length. The decimal point is always written, since without it some controls would count increments.
   void append_with_point(std::string& text, std::string_view digits, std::size_t fraction) const {
     if (digits.size() <= fraction) {
       text += "0.";
@@ -92,9 +92,10 @@ class Words {
   const WordFormat& format_;
   char letter_;
   int more_;
-  bool counts_;  // without decimal point: counts increments in some modes (spec/haas 1.2, spec/fanuc 1.3: in inches, per revolution)
+  // true: a number without a decimal point counts increments in some modes (spec/haas 1.2, spec/fanuc 1.3: in inches, per revolution)
+  bool counts_;
   int decimals_;
-  double increment_, most_;  // value of the last digit; greatest number of such units that the format can write
+  double increment_, most_;  // value of the last digit; greatest number of increments that the format can express
 };
 
 }  // namespace kadr

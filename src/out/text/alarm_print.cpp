@@ -1,5 +1,5 @@
-// Formats alarms for people (text with the position underlined) and for programs (JSON, SARIF 2.1.0). Used by cli and out; tested by
-// tests/out/alarm_print_test.cpp.
+// Formats alarms for people (text with the position underlined) and for programs (JSON, SARIF 2.1.0). This file is used by cli and out, and
+// tested by tests/out/alarm_print_test.cpp.
 
 #include "out/text/alarm_print.h"
 
@@ -24,7 +24,7 @@ PlainText severity_word(Severity severity) {
   return severity == Severity::warning ? texts::alarm_print::warning : texts::alarm_print::alarm;
 }
 
-/// Returns the level of SARIF 2.1.0, 3.27.10; SARIF has no level for advice.
+/// Returns the level of a finding as SARIF 2.1.0, 3.27.10 defines it. SARIF has no level for advice.
 const char* sarif_level(Severity severity) {
   if (severity == Severity::alarm) return "error";
   return severity == Severity::warning ? "warning" : "note";
@@ -42,7 +42,7 @@ std::string coloured(const std::string& text, const char* colour, Colours colour
   return colours == Colours::none || text.empty() ? text : fmt::format("\033[{}m{}\033[0m", colour, text);
 }
 
-/// Returns the program line and, coloured, the underline below it.
+/// Returns the program line, and below it the underline in colour.
 std::string marked(std::string_view line, Span place, Colours colours) {
   const std::string text = marked_line(line, place);
   const std::size_t second = text.find('\n') + 1;
@@ -58,7 +58,7 @@ std::string call_text(const AlarmReport::Call& call, Lang lang) {
 
 std::string dumped(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-/// Returns a path as a URI reference: slashes stay, bytes that a URI must not contain become %XX.
+/// Returns a path as a URI reference. Slashes remain, and bytes that a URI must not contain are replaced by %XX.
 std::string uri_of(const std::string& file) {
   std::string uri;
   for (const char c : file) {
@@ -95,7 +95,7 @@ Json result_json(const Finding& finding, std::size_t rule) {
   return result;
 }
 
-/// Returns the second location of a finding: its program line, with the position underlined.
+/// Returns the text of the second location of a finding: its program line with the position underlined.
 std::string other_place(const Finding& finding, Lang lang, Colours colours) {
   const AlarmReport::Line& other = finding.other;
   if (other.number == 0) return {};
@@ -107,7 +107,7 @@ std::string other_place(const Finding& finding, Lang lang, Colours colours) {
   return text;
 }
 
-/// Replaces control characters in the texts of a finding, since they must not reach a terminal.
+/// Replaces control characters in the texts of a finding, since a terminal would execute them.
 Finding shown(Finding f) {
   for (std::string* const text : {&f.number, &f.text, &f.hint, &f.file, &f.other.file}) *text = visible_name(*text);
   for (std::string& call : f.calls) call = visible_name(call);

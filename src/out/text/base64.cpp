@@ -1,5 +1,5 @@
-// Encodes and decodes base64. Used by out/picture/svg_canvas, view/report/page_report, view/page/page_folder and view/page/page_tape;
-// tested by tests/out/base64_test.cpp.
+// Encodes and decodes base64. This file is used by out/picture/svg_canvas, view/report/page_report, view/page/page_folder and
+// view/page/page_tape, and tested by tests/out/base64_test.cpp.
 
 #include "out/text/base64.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Returns the six bits that a base64 character stands for; −1 for any other character.
+/// Returns the six bits for which a base64 character stands; −1 for any other character.
 int bits_of(char letter) {
   if (letter >= 'A' && letter <= 'Z') return letter - 'A';
   if (letter >= 'a' && letter <= 'z') return letter - 'a' + 26;

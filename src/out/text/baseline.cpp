@@ -1,4 +1,4 @@
-// Reads a list of known findings. Used by cli/check; tested by tests/run_check.py.
+// Baseline: reads a list of known findings. It is used by cli/check and tested by tests/run_check.py.
 
 #include "out/text/baseline.h"
 
@@ -9,8 +9,8 @@
 namespace kadr {
 namespace {
 
-/// Returns the key of a finding. The sentence of the finding is no part of the key: it depends on the language, and its numbers change when
-/// other lines change.
+/// Returns the key of a finding. The key does not contain the sentence of the finding, since that sentence depends on the language and its
+/// numbers change when other lines change.
 std::string key_of(const std::string& file, std::string_view id, const std::string& line) {
   std::string key = file;
   for (const std::string_view part : {id, std::string_view(line)}) (key += '\n') += part;

@@ -1,5 +1,6 @@
 #pragma once
-// Baseline: a list of findings already known, so that only new ones are reported. Read from the output of `kadr check --format json`.
+// Baseline: a list of findings that are already known, so that only new findings are reported. The list is the output of `kadr check
+// --format json`.
 
 #include <map>
 #include <string>
@@ -12,16 +13,17 @@ namespace kadr {
 
 class Baseline {
  public:
-  ///   returns  an error sentence
+  /// Reads the list.
+  ///   returns  an error sentence if the text is not such a list
   static tl::expected<Baseline, std::string> read(std::string_view json);
 
-  /// Returns true if the finding is known: the same alarm for the same text in the same file, whatever its line number is now. Each known
-  /// finding matches only once.
+  /// Returns true if the finding is known, that is, if the list has the same alarm for the same text in the same file. The line number may
+  /// differ. Each finding of the list matches only once.
   bool has(const Finding& finding);
   std::size_t found() const { return found_; }
 
  private:
-  std::map<std::string, int> known_;  // number of occurrences by finding
+  std::map<std::string, int> known_;  // finding → number of occurrences that have not been matched yet
   std::size_t found_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// Describes what each block removes. Used by out/text/cut_text; tested by tests/out/cut_load_text_test.cpp.
+// Describes in words and tables what each block removes. This file is used by out/text/cut_text and tested by
+// tests/out/cut_load_text_test.cpp.
 
 #include "out/text/cut_load_text.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int decimals_of_mm = 3, decimals_of_tooth = 5;  // decimals of values in mm or derived from mm; decimals of mm per tooth
+constexpr int decimals_of_mm = 3, decimals_of_tooth = 5;  // number of decimals of values in mm, and of values in mm per tooth
 
 double cut_to(double value, int decimals) {
   const double scale = std::pow(10, decimals);

@@ -1,4 +1,4 @@
-// Describes the result of a cut in words. Used by cli/cut; tested by tests/out/cut_text_test.cpp.
+// Describes the result of a cut in words and as JSON. This file is used by cli/cut and tested by tests/out/cut_text_test.cpp.
 
 #include "out/text/cut_text.h"
 
@@ -16,9 +16,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double told_from = 0.05;  // least time outside the material that is printed, s: a shorter time would be rounded to 0.0
+constexpr double told_from = 0.05;  // least time in the air that is printed, s; a shorter time would be rounded to 0.0
 
-/// Rounds to thousandths of a mm or mm³, since further digits are not significant.
+/// Rounds a value in mm or mm³ to three decimals, since further decimals are not significant.
 double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
 
 std::string summary_row(std::string_view name, std::string_view text) { return fmt::format("{:<12} {}\n", name, text); }
@@ -60,7 +60,7 @@ std::string difference_row(PlainText name, const PartDifference& d, Lang lang) {
   return summary_row(plain_text(name, lang), text);
 }
 
-/// Returns the depth of the thread below its crest; negative if the tip of the insert has not reached the crest.
+/// Returns the depth of the thread below its crest, mm. The depth is negative if the tip of the insert has not reached the crest.
 double thread_depth(const ThreadCut& t) { return (t.is_outer ? 1 : -1) * (*t.crest_radius - t.middle_radius()); }
 
 std::string thread_words(const ThreadCut& t, Lang lang) {

@@ -1,5 +1,5 @@
 #pragma once
-// Writes a CutResult as text: the summary on stdout, and JSON (docs/commands/cut.md).
+// Converts a CutResult to text: the summary on stdout, and JSON (docs/commands/cut.md).
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -9,22 +9,23 @@
 
 namespace kadr {
 
-/// Returns one line: "removed 82581.4 mm³, cell 0.25 mm". If only a window of the part is cut, the line describes the window.
+/// Returns a caption of one line, e.g. "removed 82581.4 mm³, cell 0.25 mm". If there is a window, the line describes only the window.
 std::string cut_caption(const CutResult& result, Lang lang);
 
-/// Returns the names of the tools that are too thin for the cell size; empty if no tool is.
+/// Returns a message with the tools that are too thin for the cell size; empty if there are no such tools.
 std::string too_coarse_message(const CutResult& result, Lang lang);
 
 std::string cut_summary(const CutResult& result, Lang lang);
 
-/// Returns one JSON object. `alarms` and `warnings` are the numbers of the program's own alarms and warnings, without the findings of the
-/// cut.
+/// Returns the result as one JSON object. `alarms`, `warnings`: numbers of the program's own alarms and warnings, without the findings of
+/// the cut.
 nlohmann::ordered_json cut_json(const CutResult& result, std::size_t alarms, std::size_t warnings);
 
-/// For a finding of AlarmId::machine, returns the full names of the bodies that collided (an alarm shortens them); else empty.
+/// Returns the full names of the bodies that collided, for a finding of AlarmId::machine; empty for any other finding. The alarm itself
+/// contains only shortened names.
 std::string names_of_bodies(const CutFinding& finding);
 
-/// Returns the finding as an alarm or warning, without its line.
+/// Returns the finding as an alarm or a warning, without its location.
 Alarm alarm_of(const CutFinding& finding);
 
 }  // namespace kadr

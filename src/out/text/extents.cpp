@@ -1,5 +1,5 @@
-// Extents of a run: the range of each axis while cutting, and over all motions, in each work system that the run uses. Used by
-// out/picture/plot/plot_path and out/text/summary.
+// Extents of a run: for each of the work coordinates in use, the range of each axis while cutting and over all motions. This file is used
+// by out/picture/plot/plot_path and out/text/summary.
 
 #include "out/text/extents.h"
 
@@ -65,7 +65,7 @@ void RunExtents::enter(std::uint16_t system) {
 
 namespace {
 
-/// Returns the bounding box of a motion along the axes of the work system.
+/// Returns the bounding box of a motion along the axes of the work coordinates.
 Extents in_system(const WorkTransform& space, const Curve& curve) {
   Extents box{space.in_system(curve.at(0)), space.in_system(curve.at(1))};
   for (std::size_t a = 0; a < max_axes; ++a) {

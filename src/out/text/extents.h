@@ -1,6 +1,6 @@
 #pragma once
-// Extents of a run: the range of each axis while cutting, and over all motions, in each work system that the run uses. The summary and
-// the picture show them.
+// Extents of a run: for each of the work coordinates in use, the range of each axis while cutting and over all motions. The summary and the
+// picture show the extents.
 
 #include <algorithm>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// The bounding box of X, Y, Z; valid once a point was added.
+/// The bounding box of X, Y, Z, mm. It is valid after the first point has been added.
 struct Box {
   Vec3 least;
   Vec3 most;
@@ -31,30 +31,30 @@ struct Box {
   }
 };
 
-/// True if the motion cuts: feed, arcs, threads. A probe motion touches the part but does not cut.
+/// True if the motion cuts: feed, arcs, threads. A probe motion does not cut, although it touches the part.
 inline bool cuts(const Motion& motion) {
   return motion.kind == MotionKind::feed || motion.kind == MotionKind::thread || motion.kind == MotionKind::spline || is_arc(motion.kind);
 }
 
-/// The unit in which lengths are shown: that of the blocks that cut, or of the last motion if no block cuts.
-enum class LengthUnit : std::uint8_t { mm, inch, mixed };  // mixed: both occur; shown in mm
-/// Returns the number of mm in one unit.
+/// The unit in which lengths are shown. It is the unit of the blocks that cut, or of the last motion if no block cuts.
+enum class LengthUnit : std::uint8_t { mm, inch, mixed };  // mixed: cutting blocks have both units, so lengths are shown in mm
+/// Returns the number of mm in one unit of length.
 inline double mm_of(LengthUnit unit) { return unit == LengthUnit::inch ? mm_per_inch : 1; }
-/// "mm", "in".
+/// Returns the name of the unit: "mm", "in".
 const char* unit_name(LengthUnit unit, Lang lang);
-/// "mm/min", "in/min".
+/// Returns the name of the unit of speed: "mm/min", "in/min".
 const char* speed_unit_name(LengthUnit unit, Lang lang);
-/// Returns a length in its unit, to 0.001 mm or 0.0001 in.
+/// Formats a length in its unit, rounded to 0.001 mm or 0.0001 in.
 std::string length_text(double mm, LengthUnit unit);
 
-/// Collects which unit the motions of a run are programmed in.
+/// Finds the units in which the motions of a run are programmed.
 class MotionUnits {
  public:
   void take(const Motion& motion) {
     if (cuts(motion)) (motion.inch ? cut_in_inches_ : cut_in_mm_) = true;
     moved_ = true, moved_in_inches_ = motion.inch;
   }
-  /// True if nothing has moved yet.
+  /// True if the program has not moved yet.
   bool empty() const { return !moved_; }
   LengthUnit unit() const;
 
@@ -62,29 +62,29 @@ class MotionUnits {
   bool cut_in_mm_ = false, cut_in_inches_ = false, moved_in_inches_ = false, moved_ = false;
 };
 
-/// The range that a set of motions reaches: X, Y, Z in mm, rotary axes in degrees.
+/// The range of positions in a set of motions: X, Y, Z in mm, rotary axes in degrees.
 struct Reach {
   Box box;
-  Axes least{}, most{};  // range of the rotary axes; valid once the box is not empty
+  Axes least{}, most{};  // range of the rotary axes, degrees; valid if the box is not empty
   void take(const AxisRoles& roles, const Axes& at);
   void take(const Reach& other);
 };
 
-/// The extents in one work system, in its work coordinates.
+/// The extents of the motions in the work coordinates of one work offset.
 struct SystemExtents {
-  std::uint16_t system = 0;  // Motion::system
+  std::uint16_t system = 0;  // number of the work offset: Motion::system
   Reach cutting, other;
   Reach all() const;
 };
 
-/// Collects the extents of the motions of a run; needs memory only for each work system used.
+/// Collects the extents of the motions of a run. The memory depends only on the number of work offsets in use.
 class RunExtents {
  public:
   RunExtents(const std::vector<std::string>& axes, const AxisRoles& roles) : roles_(roles), axes_(axes) {}
 
-  ///   from  where the tool was before the motion, in work coordinates
+  ///   from  position of the tool before the motion, in work coordinates
   void take(const Motion& motion, const ToolPosition& from, const Curve& curve);
-  /// Call it when the work frame has changed: the next motion does not begin at the work coordinates where the last one ended.
+  /// Declares that the work coordinates have changed. Then the next motion does not begin at the coordinates where the last motion ended.
   void lift() { stands_in_ = nowhere; }
 
   const std::vector<SystemExtents>& systems() const { return systems_; }
@@ -93,22 +93,22 @@ class RunExtents {
   Box cutting_box() const;
   Box box() const;
 
-  /// Selects the extents: of cutting motions, or of all motions.
+  /// Selects which extents are returned: of cutting motions or of all motions.
   enum class Of : std::uint8_t { cutting, all };
-  /// The range of one axis, X, Y, Z or a rotary axis that has moved; mm or degrees.
+  /// The range of one axis: X, Y, Z, or a rotary axis that has moved; mm or degrees.
   struct AxisRange {
     std::string name;
     double least, most;
     bool rotary;
   };
-  /// The ranges in one work system.
+  /// The ranges of all axes for one work offset.
   struct Row {
-    std::string system;  // name of the work system if several are used, else empty
+    std::string system;  // name of the work offset; empty if the program uses only one
     std::vector<AxisRange> axes;
   };
-  /// Returns one row for each work system in which such motions occurred. `names` are the names of the work systems, by number.
+  /// Returns one row for each work offset with which the program has moved. `names`: the names of the work offsets, by number.
   std::vector<Row> rows(Of of, const std::vector<std::string>& names) const;
-  /// Like rows(), but as texts: "X 0 … 20   Y … Z …   C 0 … 90°"; with several work systems "G54  X …".
+  /// Returns the rows as texts: "X 0 … 20   Y … Z …   C 0 … 90°". If there are several work offsets, their names come first: "G54  X …".
   std::vector<std::string> texts(Of of, const std::vector<std::string>& names) const;
 
  private:
@@ -118,9 +118,10 @@ class RunExtents {
   AxisRoles roles_;
   std::vector<std::string> axes_;
   std::vector<SystemExtents> systems_;
-  std::size_t now_ = 0;              // index of the work system in force
-  std::size_t stands_in_ = nowhere;  // the reach that includes the tool's position: 2 × system index, + 1 if cutting
-  AxisMask turned_ = 0;              // rotary axes that have moved
+  std::size_t now_ = 0;  // index of the work offset in force
+  // index of the extents that include the present position of the tool: 2 × index of the work offset, + 1 if the tool is cutting
+  std::size_t stands_in_ = nowhere;
+  AxisMask turned_ = 0;  // bit mask of the rotary axes that have moved
   MotionUnits units_;
 };
 

@@ -1,4 +1,4 @@
-// Describes in words the state in force. Used by cli/debug and cli/run (--from).
+// Describes in words what is in force. This file is used by cli/debug and cli/run (--from).
 
 #include "out/text/in_force_text.h"
 
@@ -32,7 +32,7 @@ const std::vector<InForceRow>& rows() {
   return all;
 }
 
-/// Returns the number with at most three decimals, without trailing zeros.
+/// Formats the number with at most three decimals and without zeros at the end.
 std::string short_number(double value) {
   std::string text = fmt::format("{:.3f}", value);
   text.erase(text.find_last_not_of('0') + 1);

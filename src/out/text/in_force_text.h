@@ -1,5 +1,5 @@
 #pragma once
-// Describes in words the state in force (modes, tool, offsets, variables): the text printed when a run begins in mid-program.
+// Describes in words what is in force: modes, tool, offsets, variables. The text is printed when a run begins in mid-program.
 
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace kadr {
 
-/// Returns one line for each type of state, each begun by `indent`; lengths in mm, angles in degrees. Variables come last, at most `most`
-/// of them.
+/// Returns one line for each type of state, which begins with `indent`. Lengths are in mm, angles in degrees. Variables come last, at most
+/// `most` of them.
 ///
 ///     position X 10 Y 0 Z 5
 ///     codes    G1 G17 G90 G54 F200 S800 M3 M8

@@ -1,5 +1,5 @@
 #pragma once
-// Selects the English or the Russian text of a row of a control.
+// Selects the English or the Russian text of a control's table row.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// Returns the text in this language; the English text if there is no Russian one.
+/// Returns the text in this language. If there is no Russian text, the English text is returned.
 inline const std::string& in_language(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// Names the speed limits of motion/look_ahead/limited_by. Used by out/picture/plot/plot_legend and out/text/lost_time_text.
+// Returns names for the speed limits of motion/look_ahead/limited_by. This file is used by out/picture/plot/plot_legend and
+// out/text/lost_time_text.
 
 #include "out/text/limit_text.h"
 
@@ -9,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// Names in the order of the enum Limit.
+/// Names of the limits, in the order of the enum Limit.
 constexpr std::array<PlainText, limit_count> limit_names = {texts::speed_limit_text::programmed_feed,
                                                             texts::speed_limit_text::corner,
                                                             texts::speed_limit_text::curve,

@@ -1,5 +1,5 @@
 #pragma once
-// Names the speed limits that motion/look_ahead/limited_by reports.
+// Returns names for the speed limits that motion/look_ahead/limited_by reports.
 
 #include <string>
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace kadr {
 
-/// Returns the type of the limit alone: "corner", "acceleration", ….
+/// Returns the type of the limit without the axis: "corner", "acceleration", ….
 const char* limit_name(Limit limit, Lang lang);
 
-/// Returns "corner, X". If no axis was the limit but the commanded speed itself, returns "programmed feed" or, for a rapid, "rapid rate".
+/// Returns the limit with its axis, e.g. "corner, X". If only the commanded speed limited the motion, the function returns "programmed
+/// feed" or, for a rapid, "rapid rate".
 std::string limit_text(LimitedBy by, bool rapid, const std::vector<std::string>& axes, Lang lang);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Writes the table of `kadr run --why`: the program lines that lose most time, and the reason. Used by session/planned.
+// Formats the table of `kadr run --why`: the program lines that lose the most time, with the reasons. This file is used by session/planned.
 
 #include "out/text/lost_time_text.h"
 
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t widest_block = 48;  // characters of a program line that are printed
+constexpr std::size_t widest_block = 48;  // greatest number of characters of a program line that are printed
 
 constexpr std::array<PlainText, 6> lost_time_columns = {texts::lost_time::column_line,    texts::lost_time::column_time,
                                                         texts::lost_time::column_by_feed, texts::lost_time::column_lost,

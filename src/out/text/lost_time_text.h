@@ -1,5 +1,5 @@
 #pragma once
-// Writes the table of `kadr run --why`: the program lines that lose most time, and the reason for each.
+// Formats the table of `kadr run --why`: the program lines that lose the most time, with the reason for each.
 
 #include <string>
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace kadr {
 
-/// A program line that loses time, with its text.
+/// A program line that loses time, and its text.
 struct LostTimeRow {
   LostTime::Place place;
-  std::string file;   // name of the called file; empty for the main program
-  std::string block;  // the text of the program line
+  std::string file;   // name of the called file that contains the line; empty: the main program
+  std::string block;  // text of the program line
 };
 
-/// Returns the table, lines ending in '\n'. `all` is the time lost in all lines together, s.
+/// Returns the table. Each line ends in '\n'. `all`: time that all lines together lose, s.
 std::string lost_time_text(const std::vector<LostTimeRow>& rows, double all, const std::vector<std::string>& axes, Lang lang);
 
 }  // namespace kadr

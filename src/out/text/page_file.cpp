@@ -1,5 +1,5 @@
-// Draws a page into a file or into memory. Used by out/picture/plot/plot_page, out/picture/speed_page and out/picture/mill_picture; tested
-// by tests/out/plot_test.cpp.
+// Draws a page to a file or to memory. This file is used by out/picture/plot/plot_page, out/picture/speed_page and
+// out/picture/mill_picture, and tested by tests/out/plot_test.cpp.
 
 #include "out/text/page_file.h"
 
@@ -19,7 +19,7 @@ using Surface = std::unique_ptr<cairo_surface_t, decltype(Cairo::surface_destroy
 bool is_svg(const std::string& file) { return file.ends_with(".svg") || file.ends_with(".SVG"); }
 bool is_png(const std::string& file) { return file.ends_with(".png") || file.ends_with(".PNG"); }
 
-/// Called by Cairo: writes PNG data to the file.
+/// Writes PNG data to the file. Cairo calls this function.
 cairo_status_t write_bytes(void* file, const unsigned char* bytes, unsigned count) {
   return std::fwrite(bytes, 1, count, static_cast<std::FILE*>(file)) == count ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
 }
@@ -34,7 +34,7 @@ tl::expected<void, std::string> write_svg(const ResultFile& file, double width, 
 
 tl::expected<void, std::string> write_png(const ResultFile& file, double width, double height, const std::function<void(Canvas&)>& draw) {
   const Cairo* const cairo = cairo_library();
-  constexpr double sharp = 1.5;  // pixels per unit of the page
+  constexpr double sharp = 1.5;  // number of pixels per unit of the page
   const Surface surface(cairo->image_surface_create(CAIRO_FORMAT_RGB24, int(width * sharp), int(height * sharp)), cairo->surface_destroy);
   cairo->surface_set_device_scale(surface.get(), sharp, sharp);
   cairo_status_t status = CAIRO_STATUS_SUCCESS;
@@ -46,7 +46,7 @@ tl::expected<void, std::string> write_png(const ResultFile& file, double width, 
   if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_status(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_write_to_png_stream(surface.get(), write_bytes, file.get());
   if (status == CAIRO_STATUS_SUCCESS) return {};
-  // Cairo's own messages are in English only.
+  // Cairo's own messages are only available in English.
   const Lang lang = thread_language();
   return tl::unexpected(file.name() + ": " +
                         (lang == Lang::en ? cairo->status_to_string(status) : plain_text(texts::picture::not_written)));

@@ -1,4 +1,5 @@
-// Converts the hint of an alarm into a change of the program text. Used by view/page/page_json; tested by tests/out/quick_fix_test.cpp.
+// Converts the hint of an alarm into a change of the program text. This file is used by view/page/page_json and tested by
+// tests/out/quick_fix_test.cpp.
 
 #include "out/text/quick_fix.h"
 
@@ -17,14 +18,14 @@ std::size_t without_trailing_blanks(std::string_view line) {
   return last == std::string_view::npos ? 0 : last + 1;
 }
 
-/// Extends the position of a letter to its whole word. Returns an empty span if the value of the word is not a plain number.
+/// Returns the span of the whole word whose letter is at `begin`. Returns an empty span if the value of the word is not a plain number.
 Span whole_word(std::string_view line, std::uint32_t begin) {
   const std::size_t end = std::min(line.find_first_not_of("+-0123456789.", begin + 1), line.size());
   if (end == begin + 1 || (end < line.size() && (line[end] == '[' || line[end] == '#'))) return {begin, begin};
   return {begin, std::uint32_t(end)};
 }
 
-/// Extends the span of a word that is to be removed, so that one of the blanks next to the word is removed too.
+/// Extends the span of a word that is to be removed by one of the blanks next to the word.
 Span with_a_blank(std::string_view line, Span word) {
   const bool behind = word.end < line.size() && line[word.end] == ' ', before = word.begin > 0 && line[word.begin - 1] == ' ';
   if (before && (behind || word.end >= without_trailing_blanks(line))) --word.begin;
@@ -51,7 +52,8 @@ std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
   };
   const auto instead_of_arc = [&](std::string_view code) -> std::optional<QuickFix> {
     const bool is_arc = marked == "G2" || marked == "G02" || marked == "G3" || marked == "G03";
-    return is_arc ? std::optional(instead(std::string(code))) : std::nullopt;  // an arc code in force may be in an earlier line
+    // nullopt: the arc code may be in an earlier line, so it cannot be replaced here
+    return is_arc ? std::optional(instead(std::string(code))) : std::nullopt;
   };
   const auto row_of_tool = [&](char address, double tool) -> std::optional<QuickFix> {
     const bool is_word = marked.size() > 1 && marked[0] == address && marked.find_first_not_of("0123456789", 1) == std::string::npos;

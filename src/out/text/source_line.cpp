@@ -1,4 +1,5 @@
-// Shows a program line below an alarm and underlines a part of it; positions count characters, not bytes. Used by cli and out.
+// Shows a program line below an alarm and underlines a range of the line. Positions count characters, not bytes. This file is used by cli
+// and out.
 
 #include "out/text/source_line.h"
 
@@ -9,20 +10,20 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t widest = 110;  // greatest number of characters of a line that are shown
-constexpr std::size_t ahead = 40;    // characters shown before the position, in a shortened line
+constexpr std::size_t ahead = 40;    // number of characters before the position that a shortened line shows
 constexpr std::string_view indent = "  ";
 constexpr std::string_view clipped = "…";
 
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-/// Returns the length in bytes of the UTF-8 character with this first byte; 0 if no character begins with it.
+/// Returns the length in bytes of a UTF-8 character that begins with this byte; 0 if no character begins with this byte.
 std::size_t length_by(unsigned char first) {
   if (first < 0x80) return 1;
   if (first < 0xC2 || first > 0xF4) return 0;
   return first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
 }
 
-/// Splits the text into characters. A byte that is not UTF-8 becomes one element, together with the continuation bytes that follow it.
+/// Splits the text into characters. A byte that is not UTF-8 becomes one element, together with the continuation bytes after it.
 std::vector<std::string_view> characters(std::string_view text) {
   std::vector<std::string_view> all;
   for (std::size_t i = 0; i < text.size();) {
@@ -35,7 +36,7 @@ std::vector<std::string_view> characters(std::string_view text) {
   return all;
 }
 
-/// True for U+202A … U+202E and U+2066 … U+2069, which reverse the writing direction of the text after them.
+/// True for U+202A … U+202E and U+2066 … U+2069. These characters reverse the writing direction of the text after them.
 bool turns_round(std::string_view character) {
   if (character.size() != 3 || character[0] != '\xE2') return false;
   const auto last = static_cast<unsigned char>(character[2]);
@@ -44,8 +45,8 @@ bool turns_round(std::string_view character) {
 
 constexpr const char* unknown = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Returns bytes that are not UTF-8 (text in some code page) as they are; a byte that is a control character in one of the code pages
-/// becomes U+FFFD.
+/// Returns bytes that are not UTF-8 (text in some code page) unchanged. A byte that is a control character in one of the code pages is
+/// replaced by U+FFFD.
 std::string bytes_shown(std::string_view bytes) {
   std::string shown;
   for (const char byte : bytes)
@@ -54,11 +55,12 @@ std::string bytes_shown(std::string_view bytes) {
   return shown;
 }
 
-/// Returns the character as a terminal may receive it: control characters are replaced by their symbols, U+2400 and up.
+/// Returns the character in a form that a terminal may receive. Control characters are replaced by their symbols, U+2400 and above.
 std::string character_shown(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character[0]);
   const auto second = static_cast<unsigned char>(character.size() > 1 ? character[1] : 0);
-  const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90);  // an overlong UTF-8 form
+  // true: the character has more bytes than UTF-8 permits for it
+  const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90);
   if (character.size() != length_by(byte) || too_long_form) return bytes_shown(character);
   if (byte == 0x7F) return "\xE2\x90\xA1";
   if (byte < 0x20 && byte != '\t') return std::string("\xE2\x90") + static_cast<char>(0x80 + byte);

@@ -1,5 +1,5 @@
 #pragma once
-// Shows a program line below an alarm and underlines a part of it. Positions count characters, not bytes.
+// Shows a program line below an alarm and underlines a range of the line. Positions count characters, not bytes.
 
 #include <cstdint>
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace kadr {
 
-/// Returns the number of characters in the first `bytes` bytes of UTF-8 text.
+/// Returns the number of characters in the first `bytes` bytes of a UTF-8 text.
 std::uint32_t characters_before(std::string_view text, std::size_t bytes);
 
-/// Returns the text with control characters replaced by their symbols (U+2400 and up), or by U+FFFD if they have none (C1 controls as
-/// characters or single bytes, characters that reverse the writing direction). Tabs and line feeds stay.
+/// Returns the text with all control characters replaced by their symbols (U+2400 and above). Characters without a symbol are replaced by
+/// U+FFFD: C1 controls as characters or single bytes, and characters that reverse the writing direction. Tabs and line feeds remain.
 std::string visible(std::string_view text);
-/// Like visible(), for a name: tabs and line feeds are replaced too.
+/// Does the same as visible() for a name, in which tabs and line feeds are replaced too.
 std::string visible_name(std::string_view name);
 
-/// Returns the line without leading and trailing blanks, shortened to `most` characters.
+/// Returns the line without blanks at its beginning and end, shortened to at most `most` characters.
 std::string shortened_line(std::string_view line, std::size_t most);
 
 /// Returns the line, and below it `^~~` under the characters of the range `place`. Both lines are indented and end in '\n'.

@@ -1,5 +1,5 @@
-// Statistics: collects the totals of a run for the summary on stdout (docs/commands/run.md, "Summary"). Used by cli/run_view and
-// out/picture/speed_page; tested by tests/out/summary_test.cpp.
+// Statistics: collects the totals of a run for the summary on stdout (docs/commands/run.md, "Summary"). It is used by cli/run_view and
+// out/picture/speed_page, and tested by tests/out/summary_test.cpp.
 
 #include "out/text/summary.h"
 
@@ -29,7 +29,7 @@ std::string line(std::string_view name, const std::string& value) {
   return std::string(name) + std::string(pad, ' ') + value + "\n";
 }
 
-/// Returns the name followed by the values, one per line.
+/// Returns one line for each value. The first line begins with the name.
 std::string lines(std::string_view name, const std::vector<std::string>& values) {
   std::string text;
   for (const std::string& value : values) text += line(text.empty() ? name : std::string_view(), value);
@@ -41,7 +41,7 @@ std::string split_text(double cutting, double rapid, double dwell, double tool_c
                        duration_text(rapid), duration_text(dwell), duration_text(tool_change));
 }
 
-/// Returns the time by the planner of least time (docs/planner.md).
+/// Returns the text about the time that the least-time planner computes (docs/planner.md).
 std::string planned_text(PlainText heading, const PlannedTime& t, Lang lang) {
   const std::string ramps =
       translated_in(lang, texts::summary::speeding_and_slowing, duration_text(t.cutting.speeding_up), duration_text(t.cutting.slowing_down),
@@ -67,7 +67,7 @@ void Statistics::use(std::uint32_t tool) {
   if (found == tools_.end()) tools_.push_back({tool, 0});
 }
 
-/// Adds the cutting time since the last call of this function to the time of the tool that is in the spindle.
+/// Adds the cutting time since the last call of this function to the tool in the spindle.
 void Statistics::count_cutting() {
   const double now = estimate_.split().cutting;
   if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += now - cutting_then_;
@@ -95,7 +95,7 @@ void Statistics::lengthen(const Motion& motion, double longer) {
 }
 
 std::string Statistics::caption(Lang lang) const {
-  constexpr std::size_t most = 2;  // greatest number of work systems in one line
+  constexpr std::size_t most = 2;  // greatest number of work offsets whose extents are in one line
   const std::vector<std::string> ranges = extents_.texts(RunExtents::Of::cutting, system_names_);
   std::string caption;
   for (std::size_t i = 0; i < std::min(most, ranges.size()); ++i) caption += (i == 0 ? "" : ";   ") + ranges[i];

@@ -10,42 +10,45 @@
 
 namespace kadr {
 
-/// What the machining time is computed from. Each value includes those above it.
+/// The data from which the machining time is computed. Each value includes the data of the values before it.
 enum class TimeBasis : std::uint8_t {
   programmed,   // programmed feeds and rapid rates
-  limited,      // also the slow-downs of the control
-  accelerated,  // also the accelerations of the axes
+  limited,      // in addition, the limits at which the control slows down
+  accelerated,  // in addition, the accelerations of the axes
 };
 
-/// Consumes Steps in order; cheap per step, and its memory grows only with the number of tools and work systems.
+/// Processes steps in order. Each step takes little time. The memory depends only on the number of tools and work offsets.
 class Statistics {
  public:
   Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates);
 
-  /// Reads the spindles and the tool in the spindle from the set-up. Call it before the first action.
+  /// Reads the spindles and the tool in the spindle from the set-up. Call this function before the first action.
   void start_with(const Setup& setup);
 
-  /// The clock that times each step of the run before consume() receives it; the summary prints its totals.
+  /// Returns the clock, which must time each step of the run before consume() receives the step. The summary contains the totals of the
+  /// clock.
   TimeEstimate& clock() { return estimate_; }
-  /// Counts a step that the clock has timed. Without a summary only the clock is needed.
+  /// Adds a step, which the clock has timed before, to the totals. If no summary is printed, only the clock is needed.
   void consume(const Step& step);
-  /// Sets what the times are computed from, if not from programmed feeds; lengthen() then adds the time differences.
+  /// Sets the data from which the times are computed. Without this call they are the programmed feeds. The caller then reports the time
+  /// differences to lengthen().
   void count_by(TimeBasis basis) { basis_ = basis; }
-  ///   longer  s by which the motion, already consumed, takes longer than counted. Call it for all motions before an action that changes
-  ///           the tool.
+  /// Adds time to a motion that consume() has already received. Before an action that changes the tool, call this function for all earlier
+  /// motions.
+  ///   longer  additional time of the motion, s
   void lengthen(const Motion& motion, double longer);
   void count(Severity severity) {
     if (severity == Severity::alarm || severity == Severity::warning) ++(severity == Severity::alarm ? alarms_ : warnings_);
   }
 
-  /// Sets the names of the work systems, by Motion::system; required if the run has used several.
+  /// Sets the names of the work offsets, by Motion::system. They are needed if the run has used several work offsets.
   void name_systems(std::vector<std::string> names) { system_names_ = std::move(names); }
-  /// Returns "cutting X 0 … 20   Y …, mm", the extents of the cutting as a caption; empty if nothing was cut.
+  /// Returns the extents of the cutting as a caption, e.g. "cutting X 0 … 20   Y …, mm"; empty if the program has cut nothing.
   std::string caption(Lang lang) const;
 
-  /// Returns the summary, lines ending in '\n'.
-  ///   planned  time computed by the planner of least time, if it was used
-  ///   counts   true: that time replaces the machine's time; false: it is printed in addition to the control's time
+  /// Returns the summary, whose lines end in '\n'.
+  ///   planned  time that the least-time planner has computed; nullptr: the planner was not used
+  ///   counts   optimal: the planned time replaces the time of the control; otherwise both times are printed
   std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr,
                    PlannerMode counts = PlannerMode::programmed) const;
 
@@ -76,28 +79,28 @@ class Statistics {
   void use(std::uint32_t tool);
 
   TimeEstimate estimate_;
-  double cutting_then_ = 0;                                       // s, the clock's cutting time when count_cutting() was last called
-  std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // numbers of motions; others_: probe, home
+  double cutting_then_ = 0;                                       // cutting time on the clock when count_cutting() was last called, s
+  std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // numbers of motions by type; others_: probing and homing
   std::uint64_t alarms_ = 0, warnings_ = 0;
   TimeBasis basis_ = TimeBasis::programmed;
   double cutting_mm_ = 0, rapid_mm_ = 0;
   RunExtents extents_;
   std::vector<std::string> system_names_;
-  std::vector<ToolUse> tools_;  // in order of first use
-  std::size_t in_spindle_ = 0;  // index in tools_ of the tool in the spindle; tools_.size(): not known
+  std::vector<ToolUse> tools_;  // tools in the order of their first use
+  std::size_t in_spindle_ = 0;  // index in tools_ of the tool in the spindle; tools_.size(): the tool is unknown
 };
 
-/// For programs of several channels: how long a channel worked and how long it waited for others, in s (nct 14.5).
+/// Working time of a channel and time that it waited for others, s, for programs with several channels (nct 14.5).
 struct ChannelTime {
   int channel = 1;
   double busy = 0, waited = 0;
 };
-/// Returns "channel 2", the line above the channel's summary.
+/// Returns the heading of a channel's summary, e.g. "channel 2".
 std::string channel_heading(int channel, Lang lang);
-/// Returns the times of all channels; the longest one is the machining time.
+/// Returns a text with the times of all channels. The longest time is the machining time.
 std::string channels_text(const std::vector<ChannelTime>& times, Lang lang);
 
-/// 3725.4 s → "1:02:05", 65.3 s → "1:05.3".
+/// Formats a time: "1:02:05" for 3725.4 s, "1:05.3" for 65.3 s.
 std::string duration_text(double seconds);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Writes the summary of a run for programs. Used by cli/run; tested by tests/run_summary.py, which compares it with the text.
+// Formats the summary of a run as JSON. This file is used by cli/run and tested by tests/run_summary.py, which compares it with the text.
 
 #include "out/text/summary_json.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rounds to 1e-9: further digits are meaningless.
+/// Rounds a value to 1e-9, since further digits are not significant.
 double figure(double value) { return std::round(value * 1e9) / 1e9 + 0.0; }
 
 const char* word_of(LengthUnit unit) { return unit == LengthUnit::mm ? "mm" : unit == LengthUnit::inch ? "inch" : "mixed"; }

@@ -1,5 +1,6 @@
 #pragma once
-// Writes the summary of a run as JSON for programs: all numbers of the text summary (out/text/summary; docs/commands/run.md).
+// Formats the summary of a run as JSON for other programs. The JSON contains all numbers of the text summary (out/text/summary;
+// docs/commands/run.md).
 
 #include <string>
 #include <vector>
@@ -8,23 +9,23 @@
 
 namespace kadr {
 
-/// One channel of a run.
+/// The data about one channel of a run.
 struct ChannelSummary {
   int channel = 1;
   const Statistics* statistics = nullptr;
   std::uint64_t blocks = 0;
   double waited = 0;                     // s
-  const PlannedTime* planned = nullptr;  // nullptr: the planner of least time was not used
+  const PlannedTime* planned = nullptr;  // time that the least-time planner has computed; nullptr: the planner was not used
 };
 
 struct RunSummary {
-  std::string program, control;  // the file's name, the control's id
-  bool complete = true;          // the program was executed to its end
+  std::string program, control;  // name of the program file, id of the control
+  bool complete = true;          // true: the program was executed to its end
   PlannerMode counts = PlannerMode::programmed;
   std::vector<ChannelSummary> channels;
 };
 
-/// Returns lengths in mm, angles in degrees and times in s, whatever the program's unit. Ends in '\n'.
+/// Returns the JSON text, which ends in '\n'. Lengths are in mm, angles in degrees and times in s, independently of the program's unit.
 std::string summary_json(const RunSummary& run);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Describes punched tape in words. Used by cli/tape_command and view/page/page_tape; tested by tests/run_tapes.py and
+// Describes a punched tape in words. This file is used by cli/tape_command and view/page/page_tape, and tested by tests/run_tapes.py and
 // tests/serve_making.py.
 
 #include "out/text/tape_text.h"

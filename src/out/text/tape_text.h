@@ -1,5 +1,5 @@
 #pragma once
-// Describes punched tape in words. Used by kadr tape and the web page.
+// Describes a punched tape in words. This file is used by kadr tape and the web page.
 
 #include <string>
 #include <string_view>
@@ -9,13 +9,13 @@
 
 namespace kadr {
 
-/// Returns how the tape is oriented: "read from its wrong end: turned".
+/// Returns the orientation of the tape in words, e.g. "read from its wrong end: turned".
 std::string orientation_in_words(TapeOrientation lie, Lang lang);
 
-/// Returns "row 241: parity error (byte 100)"; the byte is octal.
+/// Returns the fault in words, e.g. "row 241: parity error (byte 100)". The byte is an octal number.
 std::string fault_in_words(const TapeFault& fault, TapeCode code, Lang lang);
 
-/// Returns "ISO-7" or "EIA".
+/// Returns the name of the tape code: "ISO-7" or "EIA".
 std::string_view name_for_people(TapeCode code);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// Writes a file that appears complete or not at all. Used by every command that writes a file (cli/job/outputs) and for pictures
-// (out/text/page_file); tested by tests/out/result_file_test.cpp.
+// ResultFile: writes a file that appears complete or not at all. It is used by every command that writes a file (cli/job/outputs) and for
+// pictures (out/text/page_file), and tested by tests/out/result_file_test.cpp.
 
 #include "out/trace/result_file.h"
 
@@ -27,17 +27,17 @@ namespace {
 
 std::string sentence(const std::string& name, int error) { return fmt::format("{}: {}", name, errno_message(error)); }
 
-/// The temporary files that are not kept yet, so that discard_all() finds them.
+/// The list of temporary files that have not been moved to their final paths yet. discard_all() deletes these files.
 struct UnfinishedFiles {
   std::mutex lock;
   std::set<std::string> names;
 };
 UnfinishedFiles& under_way() {
-  static auto* const files = new UnfinishedFiles;  // never freed: discard_all() may be called while the process ends
+  static auto* const files = new UnfinishedFiles;  // never freed, since discard_all() may be called while the process ends
   return *files;
 }
 
-/// Returns standard output or standard error if the name refers to the same file. Otherwise both streams would write to the file with
+/// Returns standard output or standard error if the name refers to the same file. If the file were opened again, the two streams would have
 /// separate positions and overwrite each other.
 std::FILE* standard_stream(const std::string& name) {
   const auto id = file_id_of(name);
@@ -46,10 +46,10 @@ std::FILE* standard_stream(const std::string& name) {
   return nullptr;
 }
 
-/// Creates a new file in the folder and stores its name in `name`. Returns the file descriptor; -1 on an error.
+/// Creates a new file in the folder and stores its name in `name`. Returns the file descriptor; -1 if the file cannot be created.
 int make_in(const std::filesystem::path& folder, std::string& name) {
   constexpr int max_tries = 1000;
-  constexpr mode_t rights = 0666;  // permissions, from which the system removes the umask
+  constexpr mode_t rights = 0666;  // permissions of a new file, from which the operating system removes the umask
   for (int i = 0; i < max_tries; ++i) {
     name = (folder / fmt::format(".kadr-{}-{}", ::getpid(), i)).string();
     const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, rights);
@@ -58,7 +58,7 @@ int make_in(const std::filesystem::path& folder, std::string& name) {
   return -1;
 }
 
-/// Copies the bytes, for cases in which the file cannot be renamed (other file system, mounted file, folder without write permission).
+/// Copies the bytes of a file, if the file cannot be renamed (other file system, mounted file, folder without write permission).
 bool copy(const std::string& from, const std::string& to) {
   using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
   const File in(std::fopen(from.c_str(), "rb"), &std::fclose);
@@ -125,7 +125,8 @@ tl::expected<void, std::string> ResultFile::open_temporary() {
   if (file < 0) return tl::unexpected(sentence(name_, errno));
   files.names.insert(beside_);
   constexpr mode_t all_rights = 07777;
-  if (exists) (void)::fchmod(file, there.st_mode & all_rights);  // if this is refused, the file keeps its own permissions
+  // the result is ignored: if the system refuses, the file has the permissions of a new file
+  if (exists) (void)::fchmod(file, there.st_mode & all_rights);
   owned_ = true;
   file_ = ::fdopen(file, "wb");
   return {};
@@ -156,7 +157,7 @@ void ResultFile::discard() {
 
 void ResultFile::discard_all() {
   UnfinishedFiles& files = under_way();
-  // The lock is never released, since the process ends. The wait is limited: a signal handler may call this function while the thread
+  // The lock is never released, since the process ends. The wait is limited, since a signal handler may call this function while the thread
   // that it has interrupted holds the lock.
   constexpr int max_polls = 100;
   for (int look = 0; !files.lock.try_lock(); ++look) {

@@ -1,9 +1,9 @@
 #pragma once
-// ResultFile: a file that a command writes. It appears complete or not at all.
+// ResultFile: a file that a command writes. The file appears complete or not at all.
 //
-//   open   a regular file is opened under a temporary name in the same folder; a pipe, terminal or device is opened directly
-//   keep   moves the temporary file to the final path, through links, with the permissions of the file that it replaces
-//   else   deletes the temporary file; an existing file at the final path stays unchanged
+//   open     opens a regular file under a temporary name in the same folder; opens a pipe, terminal or device directly
+//   keep     moves the temporary file to the final path, through links, with the permissions of the file that it replaces
+//   no keep  the temporary file is deleted; an existing file at the final path remains unchanged
 
 #include <cstdio>
 #include <string>
@@ -12,12 +12,13 @@
 namespace kadr {
 
 /// Writes the buffered data and checks that all data was written.
-///   returns  an errno; EPIPE if the reader of a pipe has closed it, even if an earlier write noticed that; 0: everything is written
+///   returns  an errno; EPIPE if the reader of a pipe has closed it, even if an earlier write noticed that; 0: all data was written
 int error_of(std::FILE* file);
 
 class ResultFile {
  public:
-  ///   name     "-" is standard output, and so is any name of the file that standard output is redirected to
+  /// Opens a file for writing.
+  ///   name     name of the file; "-", or any name of the file to which standard output is redirected, is standard output
   ///   returns  an error sentence if no file can be written at this path
   static tl::expected<ResultFile, std::string> open(const std::string& name);
 
@@ -28,13 +29,13 @@ class ResultFile {
   std::FILE* get() const { return file_; }
   const std::string& name() const { return name_; }
 
-  /// Completes the file. Returns an error sentence if not all data was written (an existing file stays unchanged), and an empty one if
-  /// the reader of a pipe has closed it (`| head`), which is not reported to the user.
+  /// Completes the file. Returns an error sentence if not all data was written; then an existing file remains unchanged. The error sentence
+  /// is empty if the reader of a pipe has closed it (`| head`), since the user need not know that.
   tl::expected<void, std::string> keep();
   void discard();
 
-  /// For a process that must end at once: deletes the temporary files of all ResultFiles that were not kept. Afterwards nothing may be
-  /// opened or kept.
+  /// Deletes the temporary files of all ResultFiles that have not been completed. This function is for a process that must end at once.
+  /// Afterwards no ResultFile may be opened or completed.
   static void discard_all();
 
  private:
@@ -43,10 +44,10 @@ class ResultFile {
   bool take_place() const;
 
   std::string name_;
-  std::string place_;   // the final path, with links resolved; empty: the file is written directly
-  std::string beside_;  // the temporary path, until the file is kept
+  std::string place_;   // final path of the file, with links resolved; empty: the data is written directly to the file
+  std::string beside_;  // path of the temporary file, until keep() moves it
   std::FILE* file_ = nullptr;
-  bool owned_ = false;  // false: a standard stream, which is not closed
+  bool owned_ = false;  // false: the stream is a standard stream, which must not be closed
 };
 
 }  // namespace kadr

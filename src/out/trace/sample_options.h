@@ -1,5 +1,5 @@
 #pragma once
-// SampleOptions: how positions are sampled (out/trace/samples).
+// SampleOptions: the options with which positions are sampled (out/trace/samples).
 
 #include <vector>
 
@@ -10,9 +10,9 @@ namespace kadr {
 
 struct SampleOptions {
   double rate = 1000;                   // Hz
-  std::vector<OverrideChange> changes;  // in the order of their times
-  bool spindle = false;                 // adds a column with the spindle angle
-  double max_time = 86400;              // time of the last sample, s: one day, which is 4 GB for three axes at 1 kHz
+  std::vector<OverrideChange> changes;  // override changes in the order of their times
+  bool spindle = false;                 // true: a column contains the spindle angle
+  double max_time = 86400;              // time of the last sample, s; the default is one day, which is 4 GB for three axes at 1 kHz
   StopToken stop{};
 };
 

@@ -1,5 +1,5 @@
-// SampleWriter: writes positions at the servo rate as CSV (docs/commands/run.md): t,X,Y,Z,… in s and mm (degrees), machine coordinates.
-// Used by session/planned; tested by tests/out/samples_test.cpp.
+// SampleWriter: writes axis positions at the rate of the servo clock as CSV (docs/commands/run.md). It is used by session/planned and
+// tested by tests/out/samples_test.cpp.
 
 #include "out/trace/samples.h"
 
@@ -45,7 +45,7 @@ void SampleWriter::write_tips(std::FILE* file, const AxisRoles& roles) {
 
 void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
   if (tip_file_ == nullptr) return;
-  if (!places_.empty()) {  // usually only the position has changed since the last motion: no new place is needed
+  if (!places_.empty()) {  // usually only the position has changed since the last motion, so the last ToolPlace still applies
     const ToolPosition& last = places_.back().from;
     bool same = last.space == from.space && last.turn == from.turn;
     for (std::size_t a = 0; same && a < axes_ && (!from.space || !from.space->has_rotary()); ++a)
@@ -55,8 +55,8 @@ void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
   places_.push_back({motion, from});
 }
 
-/// Writes the tool tip. Without rotary axes in use, the tip follows from the difference between work and machine coordinates and from the
-/// rotated frame.
+/// Writes the position of the tool tip. If no rotary axes are in use, the tip is computed from the difference between work and machine
+/// coordinates and from the rotated frame.
 void SampleWriter::write_tip(const double* at) {
   while (places_.size() > 1 && places_[1].motion <= playback_.motion()) places_.pop_front();
   Axes machine{};
@@ -88,7 +88,7 @@ bool SampleWriter::halted() {
   return ended_ != SampleEnd::none || !ok();
 }
 
-/// Writes one sample. Returns false if a feed hold is in force and no override change follows, or if nothing more is to be written.
+/// Writes one sample. Returns false if a feed hold is in force and no later override change exists, or if no more samples are requested.
 bool SampleWriter::play() {
   if (!ok()) return false;
   for (; changed_ < options_.changes.size() && options_.changes[changed_].seconds <= static_cast<double>(instant_) * period_; ++changed_)
@@ -103,7 +103,8 @@ bool SampleWriter::play() {
 }
 
 void SampleWriter::take(const TimedCells& cells) {
-  constexpr double enough = 3 * Playback::reserve;  // s; with this much motion in store the playback never brakes for lack of cells
+  // motion, s, that the playback must have received so that it does not brake for lack of cells
+  constexpr double enough = 3 * Playback::reserve;
   std::size_t offered = playback_.offer(cells, 0);
   while (offered < cells.laws.size() && play()) offered += playback_.offer(cells, offered);
   while (playback_.ahead() > enough && play()) {

@@ -1,7 +1,7 @@
 #pragma once
-// SampleWriter: writes axis positions at the servo rate as CSV (docs/commands/run.md): t,X,Y,Z,… in s and mm (degrees), machine
-// coordinates; on request with feed holds and overrides at given times. If the control moves axes synchronously with a spindle, the
-// column `spindle` contains the spindle angle in degrees, clockwise, not reset at 360.
+// SampleWriter: writes axis positions at the rate of the servo clock as CSV (docs/commands/run.md). The columns are t,X,Y,Z,…: the time in
+// s and machine coordinates in mm or degrees. On request, feed holds and overrides are applied at given times. If the control moves axes
+// synchronously with a spindle, the column `spindle` contains the spindle angle in degrees, clockwise, without a reset at 360.
 
 #include <cstdio>
 #include <deque>
@@ -15,7 +15,7 @@
 
 namespace kadr {
 
-/// Why no more samples are written.
+/// The reason why no more samples are written.
 enum class SampleEnd : std::uint8_t {
   none,      // samples are still being written, or the motions have ended
   max_time,  // the time limit was exceeded
@@ -24,33 +24,34 @@ enum class SampleEnd : std::uint8_t {
 
 class SampleWriter {
  public:
-  /// Writes the heading. The caller closes the file.
+  /// Writes the heading of the file. The caller must close the file later.
   SampleWriter(std::FILE* file, const std::vector<std::string>& axes, MotionLimits limits, SampleOptions options);
 
-  /// Also writes a second file: at the same instants the tool tip in work coordinates and the direction of the tool axis. Writes its
-  /// heading at once.
+  /// Starts a second file and writes its heading. For the same instants the second file contains the tool tip in work coordinates and the
+  /// direction of the tool axis.
   void write_tips(std::FILE* file, const AxisRoles& roles);
-  /// From this motion on, tip positions are computed with the work system, rotary axes and tool length of `from`.
+  /// Sets the work coordinates, rotary axes and tool length with which tip positions are computed from this motion on. `from`: the position
+  /// that contains them.
   void take_place(std::uint64_t motion, const ToolPosition& from);
 
   void take(const TimedCells& cells);
-  /// Writes the samples up to the last position and flushes the buffer. If a feed hold never ends, the samples end at the position where
-  /// it holds.
+  /// Writes the samples up to the last position, and writes the buffer to the file. If a feed hold never ends, the last sample is the
+  /// position of the hold.
   void finish();
-  /// Returns false after a write error; nothing more is written then.
+  /// Returns false after a write error. Then no more samples are written.
   bool ok() const { return error_ == 0; }
   int error() const { return error_; }  // errno of the first write error; 0: none
-  /// Why writing has ended. Cells that come later are ignored.
+  /// Returns why no more samples are written. Cells that arrive later are ignored.
   SampleEnd ended() const { return ended_; }
-  /// The tag of the cell (timed segment) that contains the last sample.
+  /// Returns the tag of the cell (timed segment) that contains the last sample.
   std::uint64_t tag() const { return playback_.tag(); }
 
-  /// The frame for tool tips (work system, rotary axes, tool length), valid from one motion on.
+  /// The data for computing tool tips (work coordinates, rotary axes, tool length), valid from a certain motion on.
   struct ToolPlace {
     std::uint64_t motion = 0;
     ToolPosition from;
   };
-  /// The complete state of the writer, including data that is not written to the file yet.
+  /// The complete state of the writer, including text that has not been written to the file yet.
   struct Memory {
     Playback::Memory playback;
     std::size_t changed = 0;
@@ -72,16 +73,16 @@ class SampleWriter {
   std::FILE* file_;
   std::size_t axes_;
   double period_;
-  int decimals_;  // decimals of positions: enough for third differences to show the jerk
+  int decimals_;  // number of decimals of positions; it is sufficient for computing the jerk from third differences
   Playback playback_;
   SampleOptions options_;
-  std::size_t changed_ = 0;  // number of override changes already applied
+  std::size_t changed_ = 0;  // number of override changes that have been applied
   std::uint64_t instant_ = 0;
   std::string text_;
   std::FILE* tip_file_ = nullptr;
   std::string tip_text_;
   AxisRoles roles_;
-  std::deque<ToolPlace> places_;  // the first one belongs to the present motion
+  std::deque<ToolPlace> places_;  // the first element applies to the present motion
   int error_ = 0;
   SampleEnd ended_ = SampleEnd::none;
 };

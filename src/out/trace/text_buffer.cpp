@@ -1,4 +1,4 @@
-// TextBuffer: collects text and writes it to a file in large blocks of bytes. Used by the rest of out.
+// TextBuffer: collects text and writes it to a file in large blocks of bytes. It is used by the rest of out.
 
 #include "out/trace/text_buffer.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double decimals = 1e9;
 constexpr std::uint64_t decimals_whole = 1'000'000'000;
-constexpr double most_exact = 4e6;  // largest value that, multiplied by 1e9, still fits into the 53 bits of a double
+constexpr double most_exact = 4e6;  // largest value that, multiplied by 1e9, fits into the 53 bits of a double
 
 char* put_whole(char* at, std::uint64_t value) {
   char digits[20];

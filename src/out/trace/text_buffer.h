@@ -1,5 +1,5 @@
 #pragma once
-// TextBuffer: collects text and writes it to a file in large blocks of bytes. Also formats numbers for JSON, fast.
+// TextBuffer: collects text and writes it to a file in large blocks of bytes. It also formats numbers for JSON quickly.
 
 #include <cstddef>
 #include <cstdio>
@@ -10,9 +10,9 @@
 
 namespace kadr {
 
-/// Formats `value`, rounded to 1e-9, without trailing zeros or -0; formats a value that is not finite as null.
-///   at       points to space for 32 characters
-///   returns  the position after the last character written
+/// Formats `value`, rounded to 1e-9, without zeros at the end and without the sign of -0. A value that is not finite is written as null.
+///   at       address of space for 32 characters
+///   returns  the address after the last character
 char* put_number(char* at, double value);
 
 inline char* put_text(char* at, std::string_view text) {
@@ -20,7 +20,7 @@ inline char* put_text(char* at, std::string_view text) {
   return at + text.size();
 }
 
-/// Appends `text` as a JSON string, quotes included.
+/// Appends `text` as a JSON string, with its quotes.
 void append_json(std::string& to, std::string_view text);
 
 class TextBuffer {
@@ -30,7 +30,8 @@ class TextBuffer {
   TextBuffer& operator=(const TextBuffer&) = delete;
   ~TextBuffer() { flush(); }
 
-  /// Returns where the caller may write at most `most` ( ≤ size / 2) characters; pass the end of the written text to done().
+  /// Returns an address at which the caller may write up to `most` ( ≤ size / 2) characters. Afterwards the caller passes the end of the
+  /// written text to done().
   char* room(std::size_t most) {
     if (static_cast<std::size_t>(text_.get() + size - at_) < most) [[unlikely]]
       flush();
@@ -41,7 +42,7 @@ class TextBuffer {
   void append(std::string_view text);
   bool flush();
   bool ok() const { return error_ == 0; }
-  /// The errno of the first write error; 0: none.
+  /// Returns the errno of the first write error; 0 if there was no error.
   int error() const { return error_; }
 
   static constexpr std::size_t size = 1U << 17;

@@ -1,5 +1,4 @@
-// TraceWriter: writes Steps as JSON Lines (tests/golden/README.md). Used by cli/run_view; tested by
-// tests/out/trace_test.cpp.
+// TraceWriter: writes Steps as JSON Lines (tests/golden/README.md). It is used by cli/run_view and tested by tests/out/trace_test.cpp.
 
 #include "out/trace/trace.h"
 
@@ -16,7 +15,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t head_room = 192;
-constexpr std::size_t max_digits = 20;  // greatest number of digits of a block number
+constexpr std::size_t max_digits = 20;  // greatest number of digits in a block number
 
 constexpr std::array<std::string_view, 8> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home", "thread", "spline"};
 constexpr std::array<std::string_view, 3> unit_names = {"mm/min", "mm/rev", "1/min"};
@@ -34,13 +33,13 @@ char* put_block(char* at, const Origin& origin) {
 
 char* put_field(char* at, std::string_view key, double value) { return put_number(put_text(at, key), value); }
 
-/// Returns the work coordinates of the tool at fraction `part` of the motion, where its curve is at `work`.
+/// Returns the work coordinates of the tool at the fraction `part` of the motion. `work`: the point of the motion's curve there.
 Axes tool_at(const Motion& motion, double part, const Axes& work) {
   const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
   return way != nullptr ? way->at(part, work) : work;
 }
 
-/// Returns a control's alarm number as a JSON number if it is one, else as a JSON string.
+/// Returns a control's alarm number as a JSON number if it consists of digits, otherwise as a JSON string.
 std::string number_or_text(const std::string& number) {
   if (number.empty()) return "null";
   const bool digits = number.size() <= 9 && number[0] != '0' && std::all_of(number.begin(), number.end(), is_digit);
@@ -90,7 +89,7 @@ char* TraceWriter::put_arc(char* at, const Motion& motion) const {
   return put_field(at, R"(","turns":)", motion.turns);
 }
 
-/// Writes a motion. The fields that every motion has are written at once; fields that are rarely present are appended one by one.
+/// Writes a motion. Fields that every motion has are written in one call. Fields that are rarely present are appended one by one.
 void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   const MotionTime& time = step.time;
   char* at = put_head(out_.room(line_room_), motion_names[row_of(motion.kind)], step.action.origin);
@@ -117,10 +116,10 @@ void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   out_.append("}\n");
 }
 
-/// Writes how far each axis that the block names moves. After a probe motion the program alone does not determine where this motion begins
-/// (nct 21.1).
+/// Writes how far each axis that the block names moves. This field is needed after a probe motion, since the program alone does not
+/// determine where the next motion begins (nct 21.1).
 void TraceWriter::write_path(const Step& step, const Motion& motion) {
-  if (motion.detail && motion.detail->rolled != 0) return;  // in this case write_detail() writes the travel
+  if (motion.detail && motion.detail->rolled != 0) return;  // the travel of a rollover axis is written by write_detail() instead
   char* at = put_text(out_.room(line_room_), R"(,"travel":)");
   char separator = '{';
   for (std::size_t i = 0; i < roles_.count; ++i) {
@@ -148,7 +147,7 @@ char* TraceWriter::put_vector(char* at, std::string_view key, Vec3 v) const {
   return at;
 }
 
-/// Writes the tool's position and direction relative to the part (nct 25), and the coordinate frame in which the program's words are.
+/// Writes the position and the direction of the tool relative to the part (nct 25), and the coordinate frame of the words in the program.
 void TraceWriter::write_space(const Place& at_place) {
   const auto& [step, motion, part, work, machine] = at_place;
   const WorkTransform& space = *step.from.space;
@@ -200,7 +199,7 @@ void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
   const bool curved =
       is_arc(motion.kind) || motion.kind == MotionKind::spline || (motion.detail && motion.detail->surface != PathSurface::plane);
   if (curved && time.length > 0) at = put_field(at, R"(,"length":)", time.length);
-  if (time.exact) {  // without axis accelerations in the set-up these numbers would be wrong
+  if (time.exact) {  // without accelerations of the axes in the set-up these numbers would be wrong, so they are omitted
     at = put_field(at, R"(,"seconds":)", time.seconds);
     if (time.feed_most > 0) at = put_field(at, R"(,"feed_max":)", time.feed_most);
     if (time.feed_end) at = put_field(at, R"(,"feed_end":)", *time.feed_end);

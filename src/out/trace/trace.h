@@ -1,5 +1,5 @@
 #pragma once
-// TraceWriter: writes Steps as JSON Lines, one object per line (tests/golden/README.md).
+// TraceWriter: writes steps as JSON Lines, one object per line (tests/golden/README.md).
 
 #include <optional>
 
@@ -9,32 +9,32 @@
 
 namespace kadr {
 
-/// Fields of the last line of a trace that are not always present.
+/// Fields that the last line of a trace contains only in some cases.
 struct LastLine {
-  std::string_view state{};  // JSON text of the state after the run; empty: none
-  int alarm_channel = 0;     // the channel in which the alarm arose, if it is another channel than this one
+  std::string_view state{};  // state after the run as JSON text; empty: the field is omitted
+  int alarm_channel = 0;     // number of the channel that raised the alarm, if it is not this channel
 };
 
 class TraceWriter {
  public:
-  ///   points  fractions of a motion (0 … 1) at which the trace contains intermediate points
-  /// The caller closes the file.
+  /// Writes to `file`, which the caller closes later.
+  ///   points  fractions (0 to 1) of a motion at which the trace contains intermediate points
   TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, std::vector<double> points = {});
 
-  /// For programs of several channels: each trace line contains the channel number. The channels share the file: call flush() before
-  /// another channel writes.
-  ///   writes_program_ends  also writes the codes that the control executes itself (MachineFunction::by_control)
+  /// Sets the channel number that each trace line contains, for programs with several channels. All channels write to the same file, so
+  /// flush() must be called before another channel writes.
+  ///   writes_program_ends  true: the trace also contains the codes that the control executes itself (MachineFunction::by_control)
   void set_channel(int channel, bool writes_program_ends = true) { channel_ = channel, writes_program_ends_ = writes_program_ends; }
-  /// True if the step before was a probe motion: the trace line of the next motion then also contains how far each axis moves.
+  /// True if the previous step was a probe motion. Then the trace line of the next motion also contains how far each axis moves.
   bool after_probe() const { return after_probe_; }
   void go_on_behind_probe(bool is) { after_probe_ = is; }
   void flush() { out_.flush(); }
 
-  /// Writes one line; none for a FrameChange or ZoneChange. The line of a motion without a computed time has no length, seconds or highest
-  /// feed.
+  /// Writes the line of a step. A FrameChange or ZoneChange has no line. The line of a motion without a computed time contains no length,
+  /// no seconds and no highest feed.
   void write(const Step& step);
 
-  /// Writes the last line: the state after the run, and the alarm if one stopped it.
+  /// Writes the last line: the state after the run, and the alarm if an alarm stopped the run.
   void finish(const FinalState& ending, const LastLine& more = {});
   void finish(const FinalState& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more = {});
 
@@ -66,13 +66,13 @@ class TraceWriter {
 
   TextBuffer out_;
   AxisRoles roles_;
-  int channel_ = 0;  // number of the channel in each line; 0: the program has only one channel, and no line contains a number
+  int channel_ = 0;  // channel number in each line; 0: the program has only one channel, so lines contain no number
   bool writes_program_ends_ = true;
-  std::vector<std::string> keys_;  // names of the axes as JSON keys: "X":
+  std::vector<std::string> keys_;  // names of the axes as JSON keys, e.g. "X":
   std::vector<std::string> names_;
-  std::size_t line_room_ = 0;  // greatest number of characters that a line head and two positions need
+  std::size_t line_room_ = 0;  // greatest number of characters in the beginning of a line together with two positions
   std::vector<double> points_;
-  bool after_probe_ = false;  // the previous motion was a probe motion
+  bool after_probe_ = false;  // true: the previous motion was a probe motion
 };
 
 }  // namespace kadr

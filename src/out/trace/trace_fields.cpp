@@ -1,4 +1,5 @@
-// Writes the fields of a trace line for actions other than motions (tests/golden/README.md "Actions"). Used by out/trace/trace.
+// Writes the fields of a trace line for actions other than motions (tests/golden/README.md "Actions"). This file is used by
+// out/trace/trace.
 
 #include "out/trace/trace_fields.h"
 
@@ -12,14 +13,14 @@ namespace {
 constexpr std::array<std::string_view, 5> dir_names = {"stop", "cw", "ccw", "orient", "position"};
 constexpr std::array<std::string_view, 3> coolant_names = {"off", "mist", "flood"};
 constexpr std::array<std::string_view, 3> coolant_codes = {"M9", "M7", "M8"};
-// Names of the stop reasons. For the first two, the field `do` of the trace line states the reason.
+// Names of the stop reasons. The first two have no name here, since the field `do` of the trace line already states the reason.
 constexpr std::array<std::string_view, 4> reason_names = {"", "", "single_block", "message"};
 
 std::string field(std::string_view key, double value) { return ",\"" + std::string(key) + "\":" + number_string(value); }
 std::string field(std::string_view key, const std::optional<double>& value) { return value ? field(key, *value) : std::string(); }
 std::string field(std::string_view key, std::string_view text) { return ",\"" + std::string(key) + "\":" + json_string(text); }
 
-/// Returns the JSON field; an empty text if the value is 0.
+/// Returns a JSON field; empty if the value is 0.
 template <class N>
 std::string field_if(std::string_view key, N value) {
   return value == 0 ? std::string() : field(key, double(value));

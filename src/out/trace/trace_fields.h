@@ -7,19 +7,20 @@
 
 namespace kadr {
 
-/// The most characters that put_number() writes.
+/// Greatest number of characters that put_number() writes.
 inline constexpr std::size_t number_room = 32;
 
 std::string number_string(double value);
 std::string json_string(std::string_view text);
 
-/// The index of an enum's value in the table of its names.
+/// Returns the index of an enum's value in the table of the names of that enum.
 template <class E>
 constexpr std::size_t row_of(E value) {
   return static_cast<std::size_t>(value);
 }
 
-/// Returns `kind","field":value…`: the kind, which completes the head of the line, then the fields; empty if the action writes no line.
+/// Returns `kind","field":value…`: the kind, which completes the beginning of the line, then the fields. The text is empty if the action
+/// has no line.
 std::string fields_of(const Action& action);
 
 }  // namespace kadr

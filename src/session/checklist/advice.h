@@ -1,6 +1,6 @@
 #pragma once
-// Advice: findings at which no control stops the program, but which a workshop would not accept (docs/checklist.md). The watches of this
-// folder (classes that observe the steps of a run or its text) collect the findings.
+// Advice: a finding at which no control stops the program, but which a workshop would not accept (docs/checklist.md). The watches of this
+// folder collect the findings. A watch is a class that observes the steps of a run, or the text of the program.
 
 #include <cmath>
 #include <optional>
@@ -15,13 +15,13 @@ namespace kadr {
 struct Advice {
   Alarm alarm;
   Origin origin;
-  char address = 0;  // address of the word that the finding concerns; 0: the finding concerns the whole block
+  char address = 0;  // address (letter) of the word that the finding concerns; 0: the finding concerns the whole block
 };
 
-/// The findings in the order of the run, limited to a number that a person would read.
+/// The findings in the order of the run. Their number is limited to what a person would read.
 class Advices {
  public:
-  /// `args`: the arguments of the message, as controls/alarms.toml lists them.
+  /// `args`: the arguments of the message, in the order that controls/alarms.toml states.
   template <class... Args>
   void add(AlarmId id, const Origin& origin, char address, Args... args) {
     if (all_.size() < most) all_.push_back({advice(id, {}, AlarmArg(args)...), origin, address});
@@ -36,15 +36,15 @@ class Advices {
   std::vector<Advice> all_;
 };
 
-/// True if this kind of motion removes material: it moves at feed. Probing, homing and dwelling do not.
+/// True if this kind of motion removes material, that is, if it moves at feed. Probing, homing and dwelling remove nothing.
 inline bool is_cut(const Motion& motion) {
   return motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline || motion.kind == MotionKind::thread;
 }
 
-/// Start and end of a motion as the watches use them: X, Y, Z in work coordinates, mm. An axis that the control lacks is 0.
+/// Start and end of a motion in work coordinates, mm, as the watches need them. A coordinate is 0 if the control has no such axis.
 struct Ends {
   Vec3 from, to;
-  bool turns;  // the motion is an arc: a full circle ends at its start, but moves
+  bool turns;  // true: the motion is an arc. A full circle moves although its end equals its start
   Ends(const AxisRoles& roles, const ToolPosition& stands, const Motion& motion) : turns(is_arc(motion.kind)) {
     const auto at = [&](const Axes& axes, std::size_t i) { return roles.xyz[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(roles.xyz[i])]; };
     from = {at(stands.work, 0), at(stands.work, 1), at(stands.work, 2)};
@@ -52,7 +52,7 @@ struct Ends {
   }
   bool sideways() const { return turns || length(Vec2{to.x - from.x, to.y - from.y}) > least_way; }
   bool down() const { return to.z < from.z - least_way; }
-  static constexpr double least_way = 1e-6;  // mm; a shorter travel counts as none
+  static constexpr double least_way = 1e-6;  // mm; a shorter travel counts as no travel
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Checklist. Used by cli/check, view; tested by tests/checklist.py.
+// Checklist: runs the watches and reports their findings. It is used by cli/check and view, and tested by tests/checklist.py.
 
 #include "session/checklist/checklist.h"
 
@@ -15,7 +15,8 @@
 namespace kadr {
 namespace {
 
-/// Returns the highest spindle speed in rev/min, from the spindle's gears, else from the machine's file; 0 if neither states it.
+/// Returns the highest spindle speed, rev/min, that the set-up states for the spindle's gears, or else that the machine's file states; 0 if
+/// neither states one.
 double most_rpm_of(const Setup& setup, const MachineProfile& machine) {
   double most = 0;
   for (const auto& [number, spindle] : setup.spindles)
@@ -23,7 +24,7 @@ double most_rpm_of(const Setup& setup, const MachineProfile& machine) {
   return most > 0 ? most : machine.most_rpm;
 }
 
-/// Returns the location of the word with this address, outside comments; the whole line if it has no such word.
+/// Returns the location of the first word with the address `address` outside comments. Returns the whole line if it has no such word.
 Span place_of(const std::string& line, char address) {
   const auto whole = Span{0, static_cast<std::uint32_t>(line.size())};
   if (address == 0) return whole;
@@ -66,7 +67,8 @@ void Checklist::take(const Action& action) {
 std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   const Control& control = *session_.channels()[channel_].control;
   ControlDef def = session_.def();
-  (void)fit_to_machine(def, session_.channels()[channel_].setup);  // faults of the set-up have been reported already
+  // the result is ignored, since faults of the set-up have been reported before the run
+  (void)fit_to_machine(def, session_.channels()[channel_].setup);
   TextWatch text(def, most_rpm_of(session_.channels()[channel_].setup, session_.machine()));
   if (const auto source = control.source_of(0)) text.read(BlockReader(source, def.grammar, control.encoding()), stop);
   Advices advices = advices_;
@@ -77,7 +79,7 @@ std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   text.finish(advices);
   if (const auto& cut = levels_.ends_in_cut(); cut && !text.has_end() && !def.behaviour.end_required)
     advices.add(AlarmId::end_missing, *cut, 0);
-  const bool shared = session_.channels().size() > 1;  // another channel may use table rows that this channel does not use
+  const bool shared = session_.channels().size() > 1;  // true: a row that this channel does not use may be used by another channel
   check_tables({basis_.tools, basis_.own_tools && !shared, basis_.own_setup && !shared}, text.named(), session_.channels()[channel_].setup,
                control.use(), advices);
   return reports_of(advices);

@@ -1,6 +1,6 @@
 #pragma once
-// Checklist: finds problems in a program at which no control would stop (docs/checklist.md). It observes the run of one channel, and
-// reads the program's text after the run. Used by kadr check, the page and the report.
+// Checklist: finds problems in a program at which no control would stop (docs/checklist.md). It observes the run of one channel, and reads
+// the program's text after the run. It is used by kadr check, the page and the report.
 
 #include <vector>
 
@@ -20,14 +20,14 @@ class Checklist {
  public:
   ///   pre  the session has not started
   Checklist(Session& session, std::size_t channel, ChecklistBasis basis = {});
-  Checklist(const Checklist&) = delete;  // the session calls back this object
+  Checklist(const Checklist&) = delete;  // not copyable: the session has a pointer to this object
   Checklist& operator=(const Checklist&) = delete;
 
-  /// Subscribes to Outlets::programmed of the channel. A caller that needs this outlet itself forwards the actions to take() instead.
+  /// Sets Outlets::programmed of the channel to take(). A caller that needs this outlet itself calls take() for each action instead.
   void attach();
   void take(const Action& action);
-  /// Call after the run. Reads the whole text. Returns the findings in the order of the lines, each location once, without the findings
-  /// that the set-up disables.
+  /// Reads the whole text and returns the findings, in the order of the lines. A finding of one type is listed once per line. Findings that
+  /// the set-up disables are omitted. Call this function after the run.
   std::vector<AlarmReport> reports(const StopToken& stop);
 
  private:

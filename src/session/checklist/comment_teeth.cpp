@@ -1,4 +1,4 @@
-// Number of teeth in comments. Used by session/checklist; tested by tests/checklist.py.
+// Reads the number of teeth of a tool from a comment. This file is used by session/checklist and tested by tests/checklist.py.
 
 #include "session/checklist/comment_teeth.h"
 

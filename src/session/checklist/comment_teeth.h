@@ -5,7 +5,7 @@
 
 namespace kadr {
 
-/// Returns a number from 1 to 12; 0 if the comment names no number for certain.
+/// Returns the number of teeth, from 1 to 12; 0 if the comment does not clearly state it.
 int teeth_named(std::string_view comment);
 
 }  // namespace kadr

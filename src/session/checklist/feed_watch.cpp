@@ -1,4 +1,5 @@
-// FeedWatch: finds feeds and speeds that cannot be intended. Used by session/checklist; tested by tests/checklist.py.
+// FeedWatch: finds feeds and spindle speeds that the programmer cannot have intended. It is used by session/checklist and tested by
+// tests/checklist.py.
 
 #include "session/checklist/feed_watch.h"
 
@@ -13,13 +14,13 @@ namespace {
 
 constexpr std::size_t max_tools = 1000;
 
-/// Pitches of ISO 261, mm, and threads per inch of ASME B1.1, B1.20.1 and ISO 228.
+/// Standard thread pitches of ISO 261 in mm, and standard threads per inch of ASME B1.1, B1.20.1 and ISO 228.
 constexpr std::array pitches{0.2,  0.225, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.75, 0.8, 1.0,
                              1.25, 1.5,   1.75, 2.0, 2.5,  3.0, 3.5,  4.0, 4.5, 5.0, 5.5,  6.0};
 constexpr std::array threads_an_inch{80.0, 72.0, 64.0, 56.0, 48.0, 44.0, 40.0, 36.0, 32.0, 28.0, 27.0, 24.0, 20.0, 19.0, 18.0,
                                      16.0, 14.0, 13.0, 12.0, 11.5, 11.0, 10.0, 9.0,  8.0,  7.0,  6.0,  5.0,  4.5,  4.0};
 
-/// True if `mm` is a standard thread pitch. `near`: relative tolerance, since F and S are rounded.
+/// True if `mm` is a standard thread pitch. `near`: relative tolerance, needed because F and S are rounded in programs.
 bool is_pitch(double mm, double near) {
   const auto fits = [mm, near](double pitch) { return std::fabs(mm / pitch - 1) < near; };
   for (const double pitch : pitches)
@@ -35,9 +36,9 @@ void FeedWatch::take_tap(const Motion& motion, const Origin& origin, Advices& to
   const double pitch = motion.unit == FeedUnit::mm_per_rev ? motion.feed : rpm_ > 0 ? motion.feed / rpm_ : 0;
   const double inch = 25.4;
   const double written = motion.inch ? motion.feed / inch : motion.feed;
-  // relative tolerance of the pitch, for an F that is rounded to one decimal place
+  // relative tolerance of the pitch, sufficient for an F that is rounded to one decimal place
   const double near = 0.004 + std::min(0.05 / std::max(written, 1.0), 0.01);
-  // A program that does not state its unit may use the other unit, so both are tried.
+  // A program that does not state its unit may use inches or mm, so the pitch is compared in both units.
   if (pitch <= 0 || pitch == tap_reported_ || is_pitch(pitch, near) || is_pitch(pitch * inch, near)) return;
   tap_reported_ = pitch;
   to.add(AlarmId::tap_feed, origin, 'F', pitch, rpm_);
@@ -49,7 +50,8 @@ void FeedWatch::take_motion(const Step& step, const Motion& motion, Advices& to)
   const Ends ends(step.roles, step.from, motion);
   const bool moves = ends.sideways() || std::fabs(ends.to.z - ends.from.z) > Ends::least_way;
   if (!is_cut(motion) || motion.kind == MotionKind::thread || !moves || motion.feed <= 0) return;
-  constexpr double least = 1, most = 100'000, most_a_turn = 5;  // limits of a feed: least and greatest mm/min, greatest mm/rev
+  // limits of plausible feeds: least and greatest in mm/min, greatest in mm/rev
+  constexpr double least = 1, most = 100'000, most_a_turn = 5;
   const char* const unit = motion.unit == FeedUnit::mm_per_rev ? "mm/rev" : "mm/min";
   const bool per_minute = motion.unit == FeedUnit::mm_per_min, per_turn = motion.unit == FeedUnit::mm_per_rev;
   if (per_minute && motion.feed < least && !small_reported_) {
@@ -80,7 +82,7 @@ void FeedWatch::take(const Step& step, Advices& to) {
 }
 
 void FeedWatch::finish(const std::map<std::uint32_t, int>& teeth, Advices& to) {
-  constexpr double least = 0.0005, most = 1;  // least and greatest feed per tooth, mm
+  constexpr double least = 0.0005, most = 1;  // limits of a plausible feed per tooth, mm
   for (const auto& [tool, advance] : advances_) {
     const auto known = teeth.find(tool);
     if (known == teeth.end() || known->second <= 0) continue;

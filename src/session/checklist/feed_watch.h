@@ -11,7 +11,7 @@ namespace kadr {
 class FeedWatch {
  public:
   void take(const Step& step, Advices& to);
-  /// Checks the feed per tooth. `teeth`: number of teeth by tool, from comments; other tools are not checked.
+  /// Reports implausible feeds per tooth. `teeth`: number of teeth by tool number, from comments; a tool without an entry is not checked.
   void finish(const std::map<std::uint32_t, int>& teeth, Advices& to);
 
  private:
@@ -21,8 +21,8 @@ class FeedWatch {
   double rpm_ = 0;
   std::uint32_t tool_ = 0;
   bool small_reported_ = false, large_reported_ = false;
-  double tap_reported_ = 0;  // the thread pitch of the tapping finding reported last
-  /// The largest and the smallest advance per revolution of a tool, and the blocks where they occur.
+  double tap_reported_ = 0;  // thread pitch of the tapping cycle reported last, mm; the same pitch is not reported again
+  /// The largest and the smallest feed per revolution of one tool, mm, and the blocks where they occur.
   struct Advance {
     double least = 1e300, most = 0;
     Origin at_least, at_most;

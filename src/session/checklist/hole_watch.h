@@ -15,7 +15,8 @@ class HoleWatch {
   void take(const Step& step, Advices& to);
 
  private:
-  // holes drilled by the present tool: machine coordinates in µm, then the work system
+  // holes that the present tool has drilled: machine coordinates in µm (rotary axes in 0.001°), and as last element the number of the work
+  // offset
   std::set<std::array<std::int64_t, max_axes + 1>> holes_;
 };
 

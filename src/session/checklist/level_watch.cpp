@@ -1,4 +1,5 @@
-// LevelWatch: heights, far coordinates, units. Used by session/checklist; tested by tests/checklist.py.
+// LevelWatch: finds implausible heights, far coordinates and changes of the unit. It is used by session/checklist and tested by
+// tests/checklist.py.
 
 #include "session/checklist/level_watch.h"
 
@@ -10,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr double level = 0.01;  // mm: heights that differ by less count as equal
+constexpr double level = 0.01;  // mm; heights that differ by less count as equal
 constexpr std::size_t max_drilled = 1000;
 constexpr double micrometre = 1000;  // number of micrometres per mm
 
@@ -22,13 +23,14 @@ bool turns(const Step& step, const Motion& motion) {
 
 }  // namespace
 
-/// Collects coordinates to find isolated ones: a coordinate of one block only, separated from all others by many times their span.
+/// Records the end of a motion. A coordinate is isolated if only one block has it and its distance from all other coordinates is many times
+/// their range.
 void LevelWatch::take_point(const Ends& ends, const Origin& origin) {
   const std::array values{ends.to.x, ends.to.y, ends.to.z}, came_from{ends.from.x, ends.from.y, ends.from.z};
   for (std::size_t i = 0; i < values.size(); ++i) {
     Span& span = spans_[i];
     const double v = values[i];
-    // the coordinate is that of an earlier block, so it is not a coordinate of this block
+    // the motion does not move this axis, so the coordinate comes from an earlier block and is not counted again
     if (std::fabs(v - came_from[i]) < level) continue;
     const auto take = [&](std::array<double, 2>& best, std::array<Origin, 2>& where, double sign) {
       if (sign * v > sign * best[0]) {
@@ -59,16 +61,16 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   if (ends.to.z != ends.from.z) z_by_machine_ = false;
   if (plunge_ && is_cut(motion) && ends.sideways() && std::fabs(ends.from.z - plunge_->z) < level &&
       std::fabs(ends.to.z - plunge_->z) < level)
-    // after the rapid down the tool moves sideways at feed, not deeper: the rapid has entered the material
+    // after the rapid straight down the tool moves sideways at feed at the same height, so the rapid itself has entered the material
     if (!is_drilled(*plunge_)) note_low(*plunge_);
   plunge_.reset();
-  // the sideways rapid led to this cut, so it stayed inside the part
+  // the tool cuts directly after the sideways rapid, so the rapid did not leave the part
   if (sideways_ && is_cut(motion)) note_low(*sideways_), sideways_.reset();
   if (motion.of_cycle && to_hole_ && to_hole_->second.number == origin.number) take_point(to_hole_->first, origin);
   to_hole_.reset();
   if (motion.kind == MotionKind::rapid && ends.sideways()) {
     if (motion.of_cycle) take_point(ends, origin);
-    else to_hole_.emplace(ends, origin);  // a canned cycle may start after this rapid, in the same block
+    else to_hole_.emplace(ends, origin);  // a canned cycle may start in the same block, and then the end of the rapid is a hole
   }
   if (motion.of_cycle && is_cut(motion) && ends.down() && drilled_.size() < max_drilled) drilled_.push_back(ends.to);
   if (is_cut(motion)) {
@@ -87,7 +89,7 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
     const bool below = ends.to.z < -level && (from_machine || ends.from.z < -level || ends.down());
     if (below && ends.down() && !ends.sideways() && ends.to.z < lowest_ - level)
       plunge_ = Low{origin, AlarmId::rapid_below_zero, ends.to.x, ends.to.y, ends.to.z};
-    constexpr double least_way = 2;  // mm
+    constexpr double least_way = 2;  // mm; a shorter rapid after a cut is ignored
     const bool straight_from_cut =
         was_cut_ && std::fabs(ends.to.z - ends.from.z) < level && std::hypot(ends.to.x - ends.from.x, ends.to.y - ends.from.y) > least_way;
     if (ends.sideways()) sideways_.reset();
@@ -115,29 +117,30 @@ void LevelWatch::take(const Step& step, Advices& to) {
     take_change(step.action.origin, to);
 }
 
-/// True if a canned cycle has drilled a hole at this position, at least as deep as the rapid motion `low` ends.
+/// True if a canned cycle has drilled a hole where the rapid `low` ends, at least to the depth of that end.
 bool LevelWatch::is_drilled(const Low& low) const {
-  constexpr double near = 1;  // mm
+  constexpr double near = 1;  // mm; greatest distance at which two positions count as the same
   return std::any_of(drilled_.begin(), drilled_.end(),
                      [&](const Vec3& hole) { return std::hypot(hole.x - low.x, hole.y - low.y) < near && hole.z < low.z + near; });
 }
 
 void LevelWatch::judge_lows(Advices& to) const {
-  // greatest number of findings of one type; more of them are the habit of a CAM system, which knows where the material is already removed
+  // Greatest number of findings of one type that are reported. If there are more, they are probably intended: a CAM system knows where the
+  // material is already removed.
   constexpr std::ptrdiff_t most = 2;
   const auto like = [this](AlarmId id) { return std::count_if(lows_.begin(), lows_.end(), [id](const Low& low) { return low.id == id; }); };
   for (const Low& low : lows_) {
     const bool plunges = low.id == AlarmId::rapid_below_zero;
-    // If no motion enters the material at feed, the tool may enter it through a hole or from outside the part.
-    // `border`: distance from the border of the cut region inwards, mm. A contour starts at the border, and a rapid along the border is
-    // outside the part.
+    // Rapids below the part's zero are reported only if some motion enters the material at feed. Otherwise the tool may enter it through a
+    // hole or from outside the part. `border`: least distance of a reported rapid from the border of the cut region, inwards, mm. A contour
+    // starts at the border, and a rapid along the border is outside the part.
     const double border = plunges ? -0.01 : 0.5;
     const auto inside = [border](const Span& s, double v) { return v > s.least[0] + border && v < s.most[0] - border; };
     if (like(low.id) <= most && inside(spans_[0], low.x) && inside(spans_[1], low.y) && (!plunges || feeds_down_ > 0))
       to.add(low.id, low.origin, plunges ? 'Z' : '\0', low.z);
   }
   if (only_below_ && below_ == 1 &&
-      // another rapid ends at the same height above the part, so the sign of this Z is probably wrong
+      // another rapid ends at the same height above the part's zero, so the minus sign of this Z is probably a mistake
       heights_.contains(std::llround(-only_below_->z * micrometre)))
     to.add(AlarmId::rapid_below_zero, only_below_->origin, 'Z', only_below_->z);
 }
@@ -153,8 +156,8 @@ void LevelWatch::finish(Advices& to) {
     const double others = high - low;
     if (!(others >= 0 && others < 1e299)) continue;
     const std::string range = fmt::format("{:.4g} … {:.4g}", low, high);
-    constexpr double unknown = 250;  // mm: a gap to the other coordinates that exceeds this value is reported if all of them are equal
-    // a gap is reported if it exceeds `many` times the span of the other coordinates, and `least` mm
+    constexpr double unknown = 250;  // mm; if all other coordinates are equal, a coordinate farther from them than this value is reported
+    // a coordinate is reported if its distance from the others exceeds both `many` times their range and `least` mm
     const double many = i == 2 ? 10 : 5, least = i == 2 ? 50 : 20;
     const auto is_far = [&](double by) { return by > many * others && by > (others > 0 ? least : unknown); };
     if (is_far(s.most[0] - high) && !is_far(low - s.least[0]))

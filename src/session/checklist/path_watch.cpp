@@ -1,4 +1,4 @@
-// PathWatch: the shape of the contour. Used by session/checklist; tested by tests/checklist.py.
+// PathWatch: checks the shape of the contour. It is used by session/checklist and tested by tests/checklist.py.
 
 #include "session/checklist/path_watch.h"
 
@@ -18,13 +18,13 @@ Vec2 unit(Vec2 v) {
   return {v.x / size, v.y / size};
 }
 
-/// Unit tangent of a circle about `center` at a point.
+/// Returns the unit tangent at `point` of a circle about `center`, in the direction of motion.
 Vec2 along_circle(Vec2 point, Vec2 center, bool ccw) {
   const Vec2 out = unit(point - center);
   return ccw ? Vec2{-out.y, out.x} : Vec2{out.y, -out.x};
 }
 
-/// Returns the mirror image of v in a line with this direction.
+/// Returns the mirror image of the vector `v` in a line with the direction `line` (a unit vector).
 Vec2 mirrored(Vec2 v, Vec2 line) {
   const double along = v.x * line.x + v.y * line.y;
   return {2 * along * line.x - v.x, 2 * along * line.y - v.y};
@@ -33,7 +33,7 @@ Vec2 mirrored(Vec2 v, Vec2 line) {
 }  // namespace
 
 std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Motion& motion) {
-  constexpr double least = 1e-4;  // least length of a motion, mm; a shorter motion is ignored
+  constexpr double least = 1e-4;  // least length of a motion, mm; a shorter motion has no reliable direction and is ignored
   if ((motion.kind != MotionKind::feed && !is_arc(motion.kind)) || motion.of_cycle) return std::nullopt;
   if (motion.detail && (motion.detail->surface != PathSurface::plane || motion.detail->contour)) return std::nullopt;
   Piece p;
@@ -61,11 +61,12 @@ std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Moti
   return p;
 }
 
-/// Checks whether the other code (G2 instead of G3, or reversed) would make the arc tangent to the motions before and after it. If I and J
-/// state the centre, the arc of the other code has the same centre; if R states the radius, its centre is mirrored in the chord.
+/// Checks whether the opposite code (G2 instead of G3, or G3 instead of G2) would make the arc tangent to the motions before and after it.
+/// If I and J state the centre, the arc of the opposite code has the same centre. If R states the radius, its centre is mirrored in the
+/// chord.
 void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& after) {
   if (!arc.arc || arc.full || before.first != arc.first || after.first != arc.first) return;
-  constexpr double smooth = 5, corner = 20;  // degrees
+  constexpr double smooth = 5, corner = 20;  // degrees; greatest angle of a tangent transition, and least angle of a corner
   const auto retraces = [&](const Piece& other) { return other.arc && length(other.center - arc.center) < 0.01; };
   if (kinks_.size() >= max_kinks || retraces(before) || retraces(after)) return;
   const auto kinks = [&](Vec2 begins, Vec2 ends) {
@@ -80,10 +81,10 @@ void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& 
   if (now.first > corner && now.second > corner && (same_centre || mirrored_centre)) kinks_.push_back({arc.origin, other});
 }
 
-/// Checks for an arc that is nearly a full circle: a circle is usually programmed with its end at its start. An end that differs from the
-/// start by some micrometres, because its words are rounded, is accepted.
+/// Checks for an arc that is nearly a full circle. A circle is usually programmed with its end equal to its start, so a small gap is
+/// probably a mistake. A gap of some micrometres is accepted, since it comes from rounded words.
 void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
-  // least angle, degrees; greatest gap, as a share of the radius; gaps in mm that rounding of words may cause, metric and inch
+  // least angle of the arc, degrees; greatest gap as a fraction of the radius; greatest gaps that rounded words may cause, mm: metric, inch
   constexpr double nearly = 340, small = 0.1, fine = 0.0015, coarse = 0.004;
   const double apart = length(arc.to - arc.from);
   const double radius = length(arc.from - arc.center);
@@ -91,9 +92,9 @@ void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
     to.add(AlarmId::arc_nearly_full, arc.origin, 'G', std::floor(arc.degrees * 10) / 10, apart);
 }
 
-/// Ends the contour. If the contour is closed, its last motion is compared with its first one.
+/// Ends the contour. If the contour is closed, the motions before and after its start are compared too.
 void PathWatch::close() {
-  constexpr double same = 0.01;  // mm
+  constexpr double same = 0.01;  // mm; a smaller gap between end and start counts as closed
   if (last_[0] && last_[1] && first_.size() > 1) {
     const Vec2 apart = last_[1]->to - first_[0].from;
     if (length(apart) < same) {
@@ -126,7 +127,7 @@ void PathWatch::look_at_side(const Step& step, const Motion& motion, Advices& to
   } else if (!compensated) {
     side_.reset();
   }
-  constexpr int certain = 2;  // number of cuts after the end of compensation at which the finding is certain
+  constexpr int certain = 2;  // number of cuts after the end of compensation from which on the finding is reported
   if (ends_here) {
     ended_.reset();
     if (is_cut(motion)) ended_ = origin, cuts_since_ = 0;
@@ -155,7 +156,7 @@ void PathWatch::take(const Step& step, Advices& to) {
 
 void PathWatch::finish(Advices& to) {
   close();
-  constexpr std::size_t slips = 2;  // greatest number of lines with such arcs; if there are more, the shape is intended
+  constexpr std::size_t slips = 2;  // greatest number of lines with such arcs that are reported; more of them are probably intended
   std::set<std::uint32_t> lines;
   for (const auto& [origin, other] : kinks_) lines.insert(origin.line);
   if (lines.size() <= slips)

@@ -1,6 +1,6 @@
 #pragma once
-// PathWatch: checks the shape of the contour. It finds arcs that reverse the direction at both of their ends, arcs that are nearly full
-// circles, and faulty starts and ends of cutter compensation.
+// PathWatch: checks the shape of the contour. It finds arcs that reverse the direction of motion at both of their ends, arcs that are
+// nearly full circles, and faulty starts and ends of cutter compensation.
 
 #include <array>
 #include <optional>
@@ -13,18 +13,18 @@ namespace kadr {
 
 class PathWatch {
  public:
-  /// `step`: a step of the path as programmed, before cutter compensation.
+  /// `step`: a step of the programmed path, without cutter compensation.
   void take(const Step& step, Advices& to);
   void finish(Advices& to);
 
  private:
-  /// A motion at feed in the plane, with the data that are compared with the motions before and after it.
+  /// A motion at feed in the plane, with the values that are compared with the motions before and after it.
   struct Piece {
     Origin origin;
     bool arc = false, ccw = false, full = false, helix = false, inch = false;
     std::uint8_t first = 0, second = 1;
     Vec2 from, to, center;
-    Vec2 begins, ends;  // unit vectors: the direction of motion at the start and at the end
+    Vec2 begins, ends;  // unit vectors of the direction of motion, at the start and at the end
     double degrees = 0;
   };
   static std::optional<Piece> piece_of(const Step& step, const Motion& motion);
@@ -35,14 +35,15 @@ class PathWatch {
 
   void close();
 
-  std::array<std::optional<Piece>, 2> last_;  // the previous two motions
-  // arcs that reverse the direction of motion at both ends, each with the code that would fit (G2 or G3)
+  std::array<std::optional<Piece>, 2> last_;  // the two motions before the present one
+  // arcs that reverse the direction of motion at both ends, each with the code (G2 or G3) that would fit
   std::vector<std::pair<Origin, const char*>> kinks_;
-  std::vector<Piece> first_;    // the first two motions of the contour, to be compared with the last ones of a closed contour
-  std::optional<Origin> side_;  // first motion of the compensation in force
+  std::vector<Piece> first_;    // the first two motions of the contour; if the contour is closed, they are compared with its last motions
+  std::optional<Origin> side_;  // location of the first motion with the compensation in force
   const char* side_code_ = "G41";
-  bool compensated_ = false;  // the previous motion was compensated
-  /// The location where compensation has ended during a cut. cuts_since_ counts the cuts in the plane after that, at the same depth.
+  bool compensated_ = false;  // true: the previous motion was compensated
+  /// The location where compensation has ended during a cut. cuts_since_ counts the cuts in the plane after this location that stay at the
+  /// same depth.
   std::optional<Origin> ended_;
   int cuts_since_ = 0;
 };

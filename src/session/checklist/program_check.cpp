@@ -1,4 +1,5 @@
-// ProgramCheck. Used by cli/check, view/page/page_check; tested by tests/run_check.py, tests/same_check.py.
+// ProgramCheck: reports everything that a check of a program finds. It is used by cli/check and view/page/page_check, and tested by
+// tests/run_check.py and tests/same_check.py.
 
 #include "session/checklist/program_check.h"
 
@@ -12,8 +13,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_faults = 1000;     // faults of one program; if there are more, it is probably not a program for this control
-constexpr std::size_t most_again = 100'000;  // repetitions of known faults; if there are more, the program is in a loop that only fails
+// greatest number of faults of one program; a text with more is probably no program for this control
+constexpr std::size_t max_faults = 1000;
+// greatest number of repetitions of known faults; after more, the program is in a loop that only fails
+constexpr std::size_t most_again = 100'000;
 
 bool holds_only_subs(const Session& session) {
   if (!session.def().grammar.o_words) return false;
@@ -54,13 +57,14 @@ void ProgramCheck::check(Session& session) {
                           .stop = request_.stop};
     of.checklist.attach();
   }
-  // a single channel does not wait at waiting codes, since the programs of the other channels are missing
+  // a single channel does not wait at waiting codes, since the programs of the other channels are not available
   if (channels.size() == 1) session.control().set_waiting(Control::Waiting::pass);
   (void)session.run();
   for (std::size_t i = 0; i < channels.size() && !request_.stop.asked(); ++i) {
     OfChannel& of = all[i];
     channels[i].control->check_uncalled([&](const AlarmReport& report) { (void)take(i, of, report); });
-    // After a refused block the rest of the run may not be as intended, so the checklist is omitted until the errors are corrected.
+    // After a refused block the rest of the run may differ from what the programmer intended. Therefore the checklist is omitted until the
+    // errors are corrected.
     if (of.alarms == 0 && !only_subprograms_ && !request_.stop.asked())
       for (const AlarmReport& advice : of.checklist.reports(request_.stop)) (void)take(i, of, advice);
     if (i != session.own()) continue;

@@ -1,4 +1,4 @@
-// Compares the tables with the program. Used by session/checklist; tested by tests/checklist.py.
+// Compares the tool and offset tables with the program. This file is used by session/checklist and tested by tests/checklist.py.
 
 #include "session/checklist/table_check.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-using Calls = std::map<std::uint32_t, Origin>;  // tool number → location of the first call
+using Calls = std::map<std::uint32_t, Origin>;  // tool number → location of the first call of the tool
 
 Calls calls_of(const ProgramUse& use) {
   Calls calls;
@@ -24,7 +24,7 @@ const Origin& first_of(const Calls& calls) {
       ->second;
 }
 
-/// Formats a list of numbers, of which it shows four: "T7, T9, T12, T14 +3".
+/// Formats a list of numbers, of which at most four are shown: "T7, T9, T12, T14 +3".
 std::string list_of(const std::vector<std::uint32_t>& numbers, const char* letter) {
   constexpr std::size_t most = 4;
   std::string list;
@@ -32,19 +32,20 @@ std::string list_of(const std::vector<std::uint32_t>& numbers, const char* lette
   return numbers.size() > most ? fmt::format("{} +{}", list, numbers.size() - most) : list;
 }
 
-/// True if the table belongs to this program. A table with more unused rows than used ones describes a tool magazine or a whole workshop.
+/// True if the table belongs to this program only. A table with more unused rows than used rows describes a tool magazine or a whole
+/// workshop.
 bool is_of_program(std::size_t used, std::size_t unused) { return unused > 0 && unused <= used; }
 
 void judge_missing(const ToolTable& table, const Calls& calls, Advices& to) {
   const auto is_there = [&](const Calls::value_type& call) { return table.tools.find(call.first) != nullptr; };
   const auto there = static_cast<std::size_t>(std::count_if(calls.begin(), calls.end(), is_there));
-  // if fewer than half of the called tools are in a common table, the table belongs to other programs
+  // a common table that contains fewer than half of the called tools belongs to other programs, so it is not compared
   if (table.kind == ToolTable::Kind::common && 2 * there < calls.size()) return;
   for (const auto& call : calls)
     if (!is_there(call)) to.add(AlarmId::tool_not_in_table, call.second, 'T', double(call.first), std::string_view(table.file));
 }
 
-/// True if the program names the number `n`. T0405 names tool 4 or tool 5 on controls that have two numbers in one word.
+/// True if the program contains the number `n`. On controls with two numbers in one word, T0405 names tool 4 or tool 5.
 bool names(const std::set<std::uint32_t>& numbers, std::uint32_t n) {
   constexpr std::uint32_t two_digits = 100;
   return std::any_of(numbers.begin(), numbers.end(),
@@ -66,8 +67,8 @@ void judge_unused(const ToolTable& table, const Calls& calls, const NamedInText&
   to.add(AlarmId::table_tools_unused, first_of(calls), 0, std::string_view(list_of(unused, "T")), std::string_view(table.file));
 }
 
-/// Reports a row without values that the program uses, if another row has values and is not used: the row numbers are probably wrong.
-/// Unused rows alone are no fault.
+/// Reports a row without values that the program uses, if another row has values but is not used. Then the row numbers are probably
+/// mistaken. Unused rows alone are not reported.
 void judge_rows(const Calls& tools, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to) {
   const Use* empty = nullptr;
   std::set<std::uint32_t> used;

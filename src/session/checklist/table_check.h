@@ -1,5 +1,5 @@
 #pragma once
-// Compares the tool and offset tables with the program: which tools of the program the tables lack, and which rows of the tables the
+// Compares the tool and offset tables with the program. The findings are tools of the program that the tables lack, and table rows that the
 // program never uses.
 
 #include <cstdint>
@@ -12,13 +12,14 @@
 
 namespace kadr {
 
-/// The tool and offset numbers that occur in the text, executed or not: another run may use what is after a jump or in a skipped block.
+/// The tool and offset numbers in the text of the program, including blocks that this run did not execute: another run may execute blocks
+/// after a jump or with a slash.
 struct NamedInText {
   std::set<std::uint32_t> tools, rows;
-  bool tools_by_value = false, rows_by_value = false;  // a tool or offset number is an expression, so it may be any number
+  bool tools_by_value = false, rows_by_value = false;  // true: some tool or offset number is an expression, so it may be any number
 };
 
-/// Call after the run. `use`: the values that the channel of the program has used.
+/// Reports the findings. Call this function after the run. `use`: the values that the program of the channel has used.
 void check_tables(const ChecklistBasis& basis, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to);
 
 }  // namespace kadr

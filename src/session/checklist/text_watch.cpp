@@ -1,4 +1,5 @@
-// TextWatch. Used by session/checklist; tested by tests/checklist.py.
+// TextWatch: finds problems in the text of a program without executing it. It is used by session/checklist and tested by
+// tests/checklist.py.
 
 #include "session/checklist/text_watch.h"
 
@@ -15,10 +16,10 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_found = 200;
-constexpr std::size_t max_numbers = 10'000;  // greatest number of stored numbers of called blocks and programs
+constexpr std::size_t max_numbers = 10'000;  // greatest number of block and program numbers that are stored
 
-/// A function that should be cancelled at the end of a program, and the function that cancels it. There is no finding if the program
-/// states one of the two before its first motion.
+/// A function that should be cancelled before the end of a program, and the function that cancels it. A program that states one of the two
+/// functions before its first motion is not reported.
 struct Mode {
   Function on, off;
 };
@@ -33,7 +34,7 @@ constexpr std::array modes{
     Mode{Function::feed_inverse_time, Function::feed_per_minute},
 };
 
-/// Returns the value of an expression that is a single number; nullopt for any other expression.
+/// Returns the number if the expression is a single number from 0 to 10⁹; nullopt for any other expression.
 std::optional<std::uint32_t> constant(const Block& block, const Expression& expression) {
   if (expression.end != expression.begin + 1 || block.code[expression.begin].op != Op::number) return std::nullopt;
   const double number = block.code[expression.begin].number;
@@ -79,8 +80,8 @@ void TextWatch::add(AlarmId id, const Origin& origin, Span where, Args... args) 
   if (found_.size() < max_found) found_.push_back({advice(id, where, AlarmArg(args)...), origin});
 }
 
-/// Records numbers without a decimal point, which count increments, in a program whose other numbers have one. In a block with a dwell, a
-/// call or table values such numbers may be intended.
+/// Records numbers without a decimal point, which count increments. They are reported if nearly all other numbers of the program have a
+/// decimal point. Blocks with a dwell, a call or table values are not examined, since numbers without a point may be intended there.
 void TextWatch::take_points(const Block& block) {
   if (has_code(block, 'G', 4_g) || has_code(block, 'G', 10_g) || has_code(block, 'G', 65_g) || has_code(block, 'G', 66_g)) return;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -91,7 +92,7 @@ void TextWatch::take_points(const Block& block) {
     } else if (w.counted != 0) {
       ++without_point_;
       if (pointless_.size() >= max_found) continue;
-      // the increment of inch programs is 0.0001 in (spec/fanuc 1.3)
+      // in inch programs the increment of a length is 0.0001 in (spec/fanuc 1.3), so the value is a tenth of that in the word format
       const bool finer = inch_ && def_.address(w.address).unit != WordUnit::angle;
       const std::string read = fmt::format("{:g} {}", finer ? w.value / 10 : w.value,
                                            def_.address(w.address).unit == WordUnit::angle ? "°"
@@ -137,7 +138,8 @@ void TextWatch::take_codes(const Block& block) {
   began_ = began_ || axis_words;
 }
 
-/// Checks that R is above Z in the text, since an absolute cycle drills downwards. In a subprogram, values set by the caller are unknown.
+/// Checks that R is above Z in the block of a drilling cycle, since an absolute cycle drills downwards. Values that another block or a
+/// caller sets are not compared.
 void TextWatch::take_levels(const Block& block, const Word& cycle) {
   const Word* const r = block.find('R');
   const Word* const z = block.find('Z');
@@ -148,8 +150,8 @@ void TextWatch::take_levels(const Block& block, const Word& cycle) {
   add(AlarmId::levels_swapped, origin_of(block), r->where, r->value, z->value);
 }
 
-/// Finds positions after a cancelled cycle. In `G81 …`, positions, `G0 X10 Y10`, positions, `G80` the positions after G0 are not drilled,
-/// though the G80 suggests that the programmer expects them to be drilled.
+/// Finds positions after a cancelled cycle. In `G81 …`, positions, `G0 X10 Y10`, positions, `G80` the control does not drill at the
+/// positions after G0. The late G80 suggests that the programmer expects the control to drill there.
 void TextWatch::take_cycle(const Block& block) {
   const bool axis_words = moves(block);
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -197,7 +199,7 @@ void TextWatch::note_call(const Block& block, const Word& code) {
   if (!(number >= 0 && number < 1e9) || calls_.size() >= max_numbers) return;
   const auto n = static_cast<std::uint32_t>(std::llround(number));
   calls_.insert(n);
-  // M98 P30100 calls O0100 three times: the last four digits are the program number
+  // M98 P30100 calls O0100 three times, so the last four digits are stored as the program number
   if (code.address == 'M') calls_.insert(n % 10'000);
 }
 
@@ -251,7 +253,7 @@ void TextWatch::take_comments(const Block& block) {
     const auto named = read_tool_comment(text, false).tool;
     const bool beside_call = !named && block.has('T') && tool_ != 0;
     if ((named || beside_call) && teeth_.size() < max_numbers) teeth_.try_emplace(named ? *named : tool_, teeth);
-    else loose_teeth_ = teeth;  // the comment belongs to the tool that is called next
+    else loose_teeth_ = teeth;  // the comment belongs to the tool that the program calls next
   }
 }
 
@@ -271,7 +273,7 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
     for (unsigned n = 0; n % now_and_then != 0 || !stop.asked(); ++n) {
       block.clear();
       const auto got = reader.next(block);
-      if (!got) continue;  // a fault in the text is reported by an alarm of its own
+      if (!got) continue;  // the control reports a fault in the text by an alarm, so the block is skipped here
       if (*got == BlockReader::Got::end) break;
       take_block(block);
     }
@@ -312,7 +314,7 @@ void TextWatch::finish(Advices& to) {
     }
     if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.has_lines_alone())
       to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_after_end));
-    constexpr std::uint32_t of_codes = 9000;  // programs from this number on may be called by codes that parameters define
+    constexpr std::uint32_t of_codes = 9000;  // a program from this number on may be called by a code that a parameter defines
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
       to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));
   }

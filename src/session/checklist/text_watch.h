@@ -18,30 +18,31 @@ namespace kadr {
 
 class TextWatch {
  public:
-  /// `most_rpm`: the highest spindle speed of the machine; 0: unknown. A control may reduce a higher S without a message.
+  /// `most_rpm`: the highest spindle speed of the machine, rev/min; 0: unknown. A higher S word is reported, since a control may reduce the
+  /// speed without a message.
   TextWatch(const ControlDef& def, double most_rpm) : def_(def), most_rpm_(most_rpm) {}
 
-  /// Reads the whole text; polls `stop` now and then.
+  /// Reads the whole text. A request to stop is checked every few thousand blocks.
   void read(BlockReader reader, const StopToken& stop);
   void finish(Advices& to);
-  /// Number of teeth by tool number, from comments such as "4 FLUTE", "4FL".
+  /// Returns the number of teeth by tool number, from comments such as "4 FLUTE" or "4FL".
   const std::map<std::uint32_t, int>& teeth() const { return teeth_; }
   const NamedInText& named() const { return named_; }
-  /// True if the program contains a code that ends it or returns from it.
+  /// True if the program contains a code that ends the program, repeats it or returns from it.
   bool has_end() const;
 
  private:
-  /// A program or subprogram in the text: from one O number to the next.
+  /// A program or subprogram in the text, which extends from one O number to the next.
   struct Section {
     std::uint32_t label = 0;
     Origin begins;
     bool ends_program = false, returns = false;
-    std::map<std::uint32_t, std::uint32_t> jumps;  // target of each jump, and the line of the jump
-    // jump target → number of blocks with this N; counted when the text is read the second time
+    std::map<std::uint32_t, std::uint32_t> jumps;  // block number that is the target of a jump → line of the jump
+    // target of a jump → number of blocks with this block number; counted when the text is read a second time
     std::map<std::uint32_t, std::uint32_t> twice;
-    std::optional<Origin> behind_end;  // first motion after the end of the program
+    std::optional<Origin> behind_end;  // location of the first motion after the end of the program
     std::uint32_t lines_after_end = 0;
-    bool has_targets = false;  // true: some block refers to block numbers, so that lines after the end of the program may be reachable
+    bool has_targets = false;  // true: some block refers to a block number, so lines after the end of the program may be reachable
   };
   void take(const Block& block);
   void take_points(const Block& block);
@@ -63,29 +64,29 @@ class TextWatch {
   const double most_rpm_;
   NamedInText named_;
   std::vector<Advice> found_;
-  // counts of numbers with and without a decimal point
+  // counts of numbers with and without a decimal point, for the finding of missing points
   std::size_t with_point_ = 0, without_point_ = 0;
   std::vector<Advice> pointless_;
   bool inch_ = false;
-  // State of the drilling cycle, in the order of the text. absolute_: G90 is in force; in_xy_: G17 is in force; both are false if the
-  // state is uncertain.
+  // State of the drilling cycle at the present block of the text. absolute_: G90 is in force; false if that is uncertain. in_xy_: G17 is in
+  // force.
   bool in_cycle_ = false, absolute_ = true, in_xy_ = true;
   std::optional<Advice> cancelled_;  // a canned cycle that a motion code has cancelled
-  bool lost_ = false;  // blocks after that cancellation have contained only positions, which the cancelled cycle no longer drills
+  bool lost_ = false;                // true: later blocks contain only positions, at which the cancelled cycle no longer drills
   std::optional<double> level_, bottom_;
-  // modes set so far
-  bool began_ = false;         // a motion has been read
-  std::set<Function> stated_;  // functions that were set before the first motion
-  // functions that are on: location where each was switched on last, and the code that did it
+  // modes that the text has set so far
+  bool began_ = false;         // true: a motion has been read
+  std::set<Function> stated_;  // functions that the text states before its first motion
+  // functions that are on: the location where each function was switched on last, and its code
   std::map<Function, std::pair<Origin, std::string>> switched_on_;
-  bool main_over_ = false;  // the end of the main program has been read
-  // flow of the program
+  bool main_over_ = false;  // true: the end of the main program has been read
+  // flow of the program: jumps, calls and ends
   std::vector<Section> sections_;
   std::set<std::uint32_t> calls_;
   bool calls_by_value_ = false, has_o_words_ = false;
   bool ended_ = false;
-  bool repeats_ = false;  // a code repeats the program from the beginning
-  // teeth named in comments
+  bool repeats_ = false;  // true: a code repeats the program from the beginning
+  // tool number → number of teeth that a comment states
   std::map<std::uint32_t, int> teeth_;
   std::uint32_t tool_ = 0;
   int loose_teeth_ = 0;

@@ -1,4 +1,4 @@
-// Finds tools files next to programs. Used by cli/check, view/opening; tested by tests/checklist.py.
+// Finds tools files next to programs. This file is used by cli/check and view/opening, and tested by tests/checklist.py.
 
 #include "session/checklist/tool_table.h"
 
@@ -9,7 +9,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t longest = std::size_t{1} << 20;  // bytes of a file that the user has not named
+// greatest size, bytes, of a tools file that is read although the user has not named it
+constexpr std::size_t longest = std::size_t{1} << 20;
 
 }  // namespace
 

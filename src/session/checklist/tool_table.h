@@ -1,5 +1,5 @@
 #pragma once
-// ToolTable: the tools file with which a program is compared; the user names it, or it is found next to the program.
+// ToolTable: the tools file with which a program is compared. Either the user names the file, or it is found next to the program.
 
 #include <cstdint>
 #include <memory>
@@ -11,22 +11,22 @@
 namespace kadr {
 
 struct ToolTable {
-  /// named: the user has named the file; own: it has the name of the program; common: tools.toml of the program's folder, which other
-  /// programs may use too.
+  /// The origin of the tools file. named: the user has named the file; own: the file has the name of the program; common: the file is
+  /// tools.toml in the program's folder, which other programs may use too.
   enum class Kind : std::uint8_t { named, own, common };
-  std::string file;  // name of the file in messages
+  std::string file;  // name of the tools file, as messages show it
   ToolLibrary tools;
   Kind kind = Kind::named;
 };
 
-/// Looks for NAME.toml or NAME.tbl next to NAME.nc, then for tools.toml. Skips a file that is not a tools file.
+/// Reads the tools file next to the program NAME.nc: NAME.toml or NAME.tbl, otherwise tools.toml. A file with other contents is skipped.
 ///   returns  nullptr if no tools file is found
 std::shared_ptr<const ToolTable> tool_table_next_to(const std::string& program, const FileAccess* door = nullptr);
 
 /// What the checklist uses in addition to the run of the program.
 struct ChecklistBasis {
   std::shared_ptr<const ToolTable> tools{};
-  bool own_tools = true, own_setup = true;  // true: the tools file, or the set-up, is used for this program only
+  bool own_tools = true, own_setup = true;  // true: only this program uses the tools file (own_tools) or the set-up (own_setup)
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// ToolWatch. Used by session/checklist; tested by tests/checklist.py.
+// ToolWatch: compares the tools of a program with each other. It is used by session/checklist and tested by tests/checklist.py.
 
 #include "session/checklist/tool_watch.h"
 
@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_tool_periods = 2000;
-constexpr std::size_t max_rows = 64;  // greatest number of table rows recorded per tool
+constexpr std::size_t max_rows = 64;  // greatest number of offset table rows that are recorded per tool
 
 void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Origin& origin) {
   if (row != 0 && rows.size() < max_rows) rows.try_emplace(row, origin);
@@ -19,7 +19,7 @@ void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Or
 
 }  // namespace
 
-/// Records a spindle action. In the block of a tapping cycle the action is ignored, since its effect ends with the block.
+/// Records a spindle action. A spindle action in the block of a tapping cycle is ignored, since its effect ends with the block.
 void ToolWatch::take_spindle(const Spindle& spindle, const Origin& origin) {
   if (cycle_block_ && origin.number == *cycle_block_) return;
   if (spindle.dir == SpindleDir::orient || spindle.dir == SpindleDir::position) return;
@@ -68,7 +68,7 @@ void ToolWatch::take(const Step& step, Advices&) {
         zero_speeds_ += rpm_ == 0;
       },
       [&](const MachineFunction& function) {
-        constexpr std::uint32_t rigid_tapping = 29;  // M29, rigid tapping on Fanuc and Haas, by convention of machine builders
+        constexpr std::uint32_t rigid_tapping = 29;  // M29: rigid tapping on Fanuc and Haas, by a convention of machine builders
         taps_rigidly_ = taps_rigidly_ || function.code == rigid_tapping;
       },
       [&](const CoolantSwitch& coolant) { coolant_ = coolant.what != Coolant::off; },
@@ -82,14 +82,14 @@ void ToolWatch::take(const Step& step, Advices&) {
         if (change.tool == now().tool && !now().cuts) return;
         if (stints_.size() < max_tool_periods) stints_.emplace_back();
         now().tool = change.tool;
-        now().started = started_since_cut_;  // S and M3 may be programmed before the tool change
+        now().started = started_since_cut_;  // the program may state S and M3 before the tool change
       },
       ignores<Dwell, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak,
               CompensationCorner, CompensationCheck>);
 }
 
-/// Reports tools that cut with the spindle stopped, if the program starts the spindle for the other tools. A program that often switches M3
-/// and M5 controls the beam of a laser or a pen, and is not checked.
+/// Reports tools that cut with the spindle stopped, if the program starts the spindle for other tools. A program that often switches
+/// between M3 and M5 controls the beam of a laser or a pen, so it is not checked.
 void ToolWatch::judge_spindles(Advices& to) const {
   const auto started = std::count_if(stints_.begin(), stints_.end(), [](const ToolPeriod& s) { return s.cuts && s.started; });
   const bool switches_a_beam = starts_ > 2 * stints_.size() + 4;
@@ -109,7 +109,8 @@ void ToolWatch::judge_coolant(Advices& to) const {
   std::set<std::uint32_t> wet, dry;
   for (const ToolPeriod& s : stints_)
     if (s.cuts && s.tool != 0) (s.wet ? wet : dry).insert(s.tool);
-  if (wet.size() < 2 || dry.size() > 1) return;  // two or more tools without coolant are probably intended
+  // coolant is reported as missing for a single tool only, since two or more tools without coolant are probably intended
+  if (wet.size() < 2 || dry.size() > 1) return;
   for (const ToolPeriod& s : stints_)
     if (s.cuts && s.tool != 0 && !s.wet) return to.add(AlarmId::coolant_forgotten, *s.cuts, 0, double(s.tool));
 }
@@ -121,8 +122,8 @@ void ToolWatch::judge_lengths(Advices& to) const {
     if (s.without_length && s.tool != 0) to.add(AlarmId::length_not_called, *s.without_length, 0, double(s.tool));
 }
 
-/// Compares row numbers with tool numbers. The most frequent difference (H = T, D = T + 30) is the habit of the workshop, and a tool with
-/// another difference probably uses another tool's row.
+/// Compares the numbers of offset table rows with tool numbers. The most frequent difference (H = T, D = T + 30) is the habit of the
+/// workshop. A tool with another difference probably uses the row of another tool, so it is reported.
 void ToolWatch::judge_rows(Rows ToolPeriod::*rows, AlarmId id, char address, Advices& to) const {
   struct Pair {
     std::uint32_t tool, row;
@@ -158,9 +159,9 @@ void ToolWatch::judge_rows(Rows ToolPeriod::*rows, AlarmId id, char address, Adv
 }
 
 void ToolWatch::judge_systems(const std::vector<std::string>& names, Advices& to) const {
-  constexpr std::size_t enough = 3;  // number of tools that must agree
+  constexpr std::size_t enough = 3;  // least number of tools that must use the same work offset
   std::map<std::uint32_t, std::set<std::uint32_t>> users;
-  std::size_t several = 0;  // number of tools that work in several work systems
+  std::size_t several = 0;  // number of tools that use several work offsets
   std::set<std::uint32_t> tools;
   for (const ToolPeriod& s : stints_) {
     if (s.tool == 0 || !s.cuts) continue;
@@ -175,7 +176,8 @@ void ToolWatch::judge_systems(const std::vector<std::string>& names, Advices& to
         return to.add(AlarmId::work_offset_once, origin, 0, std::string_view(names[system]), double(s.tool));
 }
 
-/// Reports selected tools that are never used. The last selection is not reported, as it may be the first tool of the next part.
+/// Reports selected tools that are never used. The tool that was selected first is not reported: its selection at the end of the program
+/// prepares the next part.
 void ToolWatch::judge_selections(Advices& to) const {
   if (!changes_) return;
   for (const auto& [tool, origin] : selected_)

@@ -1,6 +1,6 @@
 #pragma once
-// ToolWatch: finds what one tool of a program lacks although the other tools have it: length offset, spindle rotation, coolant, work
-// offset.
+// ToolWatch: finds what one tool of a program lacks although the other tools have it: a length offset, a rotating spindle, coolant, the
+// common work offset.
 
 #include <cstdint>
 #include <map>
@@ -19,16 +19,16 @@ class ToolWatch {
   void finish(const std::vector<std::string>& systems, Advices& to);
 
  private:
-  using Rows = std::map<std::uint32_t, Origin>;  // row of an offset table → the first motion that uses it
-  /// The use of one tool from one tool change to the next.
+  using Rows = std::map<std::uint32_t, Origin>;  // row number of an offset table → location of the first motion that uses the row
+  /// The use of one tool, from one tool change to the next.
   struct ToolPeriod {
     std::uint32_t tool = 0;
     double highest = -1e300;                 // highest Z that the tool has reached, mm
-    std::optional<Origin> cuts, cuts_still;  // the tool's first cut; its first cut with the spindle stopped
+    std::optional<Origin> cuts, cuts_still;  // locations of the tool's first cut, and of its first cut with the spindle stopped
     std::optional<Origin> counter_clockwise;
-    bool mills = false;  // the tool mills or drills and is not a tap
+    bool mills = false;  // true: the tool mills or drills; false: the tool is a tap
     bool clockwise = false, turned = false, started = false, wet = false;
-    std::optional<Origin> without_length;  // location of the tool's first cut, if no length offset was in force during that cut
+    std::optional<Origin> without_length;  // location of the tool's first cut, if no length offset was in force there
     Rows lengths, radii, systems;
   };
   void take_motion(const Step& step, const Motion& motion);
@@ -45,13 +45,13 @@ class ToolWatch {
   SpindleDir turns_ = SpindleDir::stop;
   double rpm_ = 0;
   bool coolant_ = false;
-  bool started_since_cut_ = false;  // the spindle has started since the last cut
+  bool started_since_cut_ = false;  // true: the spindle has started since the last cut
   bool taps_rigidly_ = false;
-  std::optional<std::uint32_t> cycle_block_;  // Origin::number of the last block with a motion of a canned cycle
-  bool asks_speed_ = false;                   // an S word has been programmed
+  std::optional<std::uint32_t> cycle_block_;  // number (Origin::number) of the last block in which a canned cycle moves
+  bool asks_speed_ = false;                   // true: a spindle speed above 0 has been programmed
   std::size_t starts_ = 0;                    // number of spindle starts
-  std::size_t zero_speeds_ = 0;               // number of S0 words: the program of a laser travels with S0
-  std::map<std::uint32_t, Origin> selected_;  // tools selected by T that have not been changed into the spindle yet
+  std::size_t zero_speeds_ = 0;               // number of spindle speeds of 0; the program of a laser states S0 for travel without cutting
+  std::map<std::uint32_t, Origin> selected_;  // tools that a T word has selected, but no tool change has put into the spindle yet
   std::uint32_t first_tool_ = 0;
   bool changes_ = false;
 };

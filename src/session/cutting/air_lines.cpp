@@ -1,4 +1,5 @@
-// AirLines. Used by session/cutting; tested by tests/session/block_load_test.cpp.
+// AirLines: finds the lines that spend the most time moving at feed in the air. It is used by session/cutting and tested by
+// tests/session/block_load_test.cpp.
 
 #include "session/cutting/air_lines.h"
 

@@ -1,9 +1,9 @@
 #pragma once
-// AirLines: finds the lines that spend the most time moving at feed in the air. The input is the motions at feed, divided into pieces; for
-// each piece the caller states whether it removed material.
+// AirLines: finds the lines that spend the most time moving at feed in the air. Its input is the motions at feed, divided into segments.
+// For each segment the caller states whether it removed material.
 //
-// A piece shorter than a cell may pass between two lattice lines and miss the material. Therefore a piece counts as air only if at least
-// two cells of path in succession removed nothing.
+// A segment shorter than a cell may pass between two lattice lines and miss the material. Therefore a segment counts as air only if
+// consecutive segments of at least two cells of path removed nothing.
 //
 //   law  up to `most` lines the seconds are exact; with more lines, each may have up to missing() s too few (tests/session/block_load_test)
 
@@ -17,7 +17,8 @@ namespace kadr {
 
 class AirLines {
  public:
-  static constexpr std::size_t most = 1 << 16;  // number of lines stored; when there are more, the half with fewer seconds is dropped
+  // greatest number of stored lines; when it is exceeded, the half of the lines with fewer seconds is dropped
+  static constexpr std::size_t most = 1 << 16;
 
   explicit AirLines(double cell, std::size_t max_kept = most) : reach_(2 * cell), most_(max_kept) {}
 
@@ -28,23 +29,23 @@ class AirLines {
     bool cuts = false;
   };
   void add(const Piece& piece);
-  /// The lines that spend time in the air, in descending order of their seconds in the air.
+  /// Returns the lines that spend time in the air, in descending order of that time.
   std::vector<AirCut> emptiest() const;
-  /// Greatest error of the times: the time of a line may be too short by this many s.
+  /// Returns the greatest error of the times, s: each line may have spent this much more time in the air than reported.
   double missing() const { return missing_; }
 
  private:
-  using Key = std::pair<std::uint16_t, std::uint32_t>;  // Origin::file, line
+  using Key = std::pair<std::uint16_t, std::uint32_t>;  // file number (Origin::file) and line number
 
   void count(const Piece& piece);
   void drop_half();
 
   double reach_;
   std::size_t most_;
-  // the latest pieces that removed nothing, which do not count as air yet, since together they are shorter than reach_
+  // The latest segments that removed nothing. They do not count as air yet, since they are together shorter than reach_.
   std::vector<Piece> row_;
   double row_length_ = 0;
-  bool in_air_ = false;  // the last reach_ mm of the path have removed nothing
+  bool in_air_ = false;  // true: the last reach_ mm of the path have removed nothing, so segments count as air at once
   std::map<Key, AirCut> lines_;
   double missing_ = 0;
 };

@@ -1,4 +1,5 @@
-// Divides the travel of the axes into pieces. Used by session/cutting/machine_watch; tested by tests/run_cut.py.
+// Divides the motion of the machine's axes into segments. This file is used by session/cutting/machine_watch and tested by
+// tests/run_cut.py.
 
 #include "session/cutting/axes_path.h"
 
@@ -9,10 +10,12 @@ namespace kadr {
 namespace {
 
 constexpr int max_pieces_of_turn = 4096;
-constexpr int least_tcp_pieces = 8;  // least number of pieces of a motion with tool centre point control (the axes compensate for rotation)
-constexpr int max_halvings = 10;     // greatest number of times that each of these pieces is halved
+// least number of segments of a motion with tool centre point control, on which the linear axes compensate for the rotation
+constexpr int least_tcp_pieces = 8;
+constexpr int max_halvings = 10;  // greatest number of times that each of these segments is halved
 
-/// Divides the travel of the axes between two parts (0 to 1) of a motion on which the axes do not move along a straight line.
+/// Divides a motion on which the axes do not move along a straight line. The result is the segments between two fractions (0 to 1) of the
+/// motion.
 class TcpAxesPath {
  public:
   TcpAxesPath(const Step& step, double chord, const AxesVisitor& visit) : step_(step), chord_(chord), visit_(visit) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Divides a motion into pieces on which each axis of the machine moves at a constant rate.
+// Divides a motion into segments on which each axis of the machine moves at a constant rate.
 
 #include <functional>
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace kadr {
 
-/// Receives the machine position at the end of a piece, and the part of the motion completed there: 0 to 1.
+/// A function that receives the machine position at the end of a segment, and the fraction (0 to 1) of the motion that is complete there.
 using AxesVisitor = std::function<void(const Axes& to, double part)>;
 
-/// Calls `visit` for each piece in order. The first piece starts at step.from.machine. The position of a rollover axis may exceed one
-/// revolution.
-///   chord  mm or degrees by which the pieces may deviate from the true travel of the axes
-///   apart  rapid rates of the axes, if each moves at its own rate during rapid motions (DogLeg)
-///   pre    step.motion()
+/// Calls `visit` for each segment of the step's motion in order. The first segment starts at step.from.machine. The position of a rollover
+/// axis may exceed one revolution.
+///   chord  greatest deviation of the segments from the true motion of the axes, mm or degrees
+///   apart  rapid rates of the axes, if each axis moves at its own rate during rapid motions (DogLeg)
+///   pre    the step is a motion: step.motion() is not nullptr
 void along_axes_path(const Step& step, double chord, const std::optional<Axes>& apart, const AxesVisitor& visit);
 
 }  // namespace kadr

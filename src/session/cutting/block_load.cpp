@@ -1,4 +1,5 @@
-// BlockLoads. Used by session/cutting; tested by tests/session/block_load_test.cpp.
+// BlockLoads: sums up the motions at feed by block and finds the highest removal rates. It is used by session/cutting and tested by
+// tests/session/block_load_test.cpp.
 
 #include "session/cutting/block_load.h"
 
@@ -10,7 +11,7 @@
 namespace kadr {
 namespace {
 
-// greatest travel in Z per mm of travel in the plane; on steeper motions depth and width of cut have no meaning
+// Greatest travel in Z per mm of travel in the plane. For steeper motions no depth and width of cut are computed.
 constexpr double steepest = 1;
 
 bool of_same_line(const Origin& a, const Origin& b) { return a.line == b.line && a.file == b.file; }
@@ -36,7 +37,7 @@ void BlockLoads::add(const CutMotion& m) {
   open_.push_back({m, sum, m.end_sweep});
 }
 
-/// Ends the current block. A block at least as long as reach_ is reported with values of its own; shorter blocks are collected.
+/// Ends the current block. A block at least as long as reach_ is reported with its own values. Shorter blocks are collected.
 void BlockLoads::end_block() {
   if (open_.empty()) return;
   if (open_.back().sum.length >= reach_) {
@@ -61,7 +62,7 @@ void BlockLoads::finish() {
   end_row();
 }
 
-/// Reports successive short blocks. All get the mean values of the whole row of blocks.
+/// Reports successive short blocks. Each block gets the mean values of all blocks of `row`.
 void BlockLoads::tell(const std::vector<Block>& row) {
   Sum all;
   for (const Block& b : row) all.add(b.sum);
@@ -88,7 +89,7 @@ void BlockLoads::tell(const std::vector<Block>& row) {
   if (rate > 0) weigh(heaviest);
 }
 
-/// Adds a load to the list of the heaviest ones. When the list is full the lightest load is dropped; its line can return to the list only
+/// Adds a load to the list of the heaviest loads. When the list is full, the lightest load is dropped. Its line returns to the list only
 /// with a higher rate.
 void BlockLoads::weigh(const BlockLoad& load) {
   const auto same =

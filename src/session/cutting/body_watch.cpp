@@ -1,4 +1,4 @@
-// Prepares the collision check of the machine's solid bodies. Used by cli/cut and view/part_run.
+// Prepares the collision check of the machine's solid bodies. This file is used by cli/cut and view/part_run.
 
 #include "session/cutting/body_watch.h"
 
@@ -9,16 +9,18 @@
 namespace kadr {
 namespace {
 
-constexpr double bytes_per_triangle = 1000;  // memory per triangle of a mesh in the collision library FCL, with its boxes and spheres
+// memory, bytes, that a triangle of a mesh needs in the collision library FCL, with its boxes and spheres
+constexpr double bytes_per_triangle = 1000;
 
-/// Converts a blank or fixture for the collision check, as a box, cylinder or mesh.
+/// Converts a blank or fixture for the collision check to a box, cylinder or mesh.
 WorkBody work_body(const NamedWork& work) { return {work.name, shape_of_words(work.text).value_or(BodyShape{}), work.body->mesh()}; }
 
-/// Reads the mesh files of the machine's bodies. A memory limit applies to what is built from the meshes.
+/// Reads the mesh files of the machine's bodies. The memory for the collision check of all meshes is limited.
 class BodyFiles {
  public:
   BodyFiles(double most, std::vector<std::string>& notes, const FileAccess* door) : left_(most), notes_(notes), door_(door) {}
-  /// Reserves memory for the mesh. Returns an error sentence if the limit is exceeded, else an empty string.
+  /// Subtracts the memory for the mesh from the available memory. Returns an error sentence if too little is available, otherwise an empty
+  /// string.
   std::string take(const std::string& name, const Mesh& mesh) {
     left_ -= bytes_per_triangle * double(mesh.triangle_count());
     return left_ >= 0 ? std::string() : translated(texts::cutting::body_needs_memory, name);

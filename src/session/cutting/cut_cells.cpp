@@ -1,4 +1,4 @@
-// Chooses cell sizes of the stock's lattices. Used by cli/cut and view/part_run.
+// Chooses the cell sizes of the stock's lattices. This file is used by cli/cut and view/part_run.
 
 #include "session/cutting/cut_cells.h"
 
@@ -12,13 +12,13 @@
 namespace kadr {
 namespace {
 
-constexpr double share_for_material = 0.5;  // share of the memory limit; the rest is for the surface
-constexpr double share_of_cell = 0.02;      // volume error per mm² of surface, as a share of the cell size (docs/stock.md)
-constexpr double cells_to_see = 2;          // least number of cells across the diameter of a tool whose cuts are to be visible
-// greatest number of tools for a single job; a file with more is a library, of which the program uses only a part
+constexpr double share_for_material = 0.5;  // fraction (0 to 1) of the memory limit for the material; the rest is for the surface
+constexpr double share_of_cell = 0.02;      // volume error per mm² of surface, as a fraction of the cell size (docs/stock.md)
+constexpr double cells_to_see = 2;          // least number of cells across the diameter of a tool, so that the cuts of the tool are visible
+// Greatest number of tools in the tools file of a single job. A file with more tools is a library, of which the program uses only some.
 constexpr std::size_t tools_of_a_job = 24;
 
-/// Returns the diameter of the thinnest tool of a job, mm; 0 if it is unknown.
+/// Returns the diameter of the thinnest milling or drilling tool of a job, mm; 0 if it is unknown.
 double finest_of(const ToolLibrary& tools) {
   double finest = 0;
   if (tools.tools.size() > tools_of_a_job) return finest;
@@ -27,7 +27,8 @@ double finest_of(const ToolLibrary& tools) {
   return finest;
 }
 
-/// Returns the part of the surface whose position may be inexact. Faces of a box are exact where nothing was cut.
+/// Returns the triangles of the surface whose position may be inexact. For a box these are the cut triangles, since the uncut faces of a
+/// box are exact.
 Mesh uncertain_part(const Surface& surface, const Blank& blank) {
   constexpr double same_volume = 1e-9;
   const Vec3 size = blank.box().most - blank.box().least;
@@ -40,7 +41,7 @@ Mesh uncertain_part(const Surface& surface, const Blank& blank) {
   return cut;
 }
 
-/// Returns the numbers of tools that have cut and are thinner than two cells, so that their cuts are hardly visible.
+/// Returns the numbers of tools that have cut and are thinner than two cells. Their cuts are hardly visible.
 std::vector<std::uint32_t> tools_finer_than_cells(const Stock& stock) {
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < stock.tools(); ++i) {
@@ -66,7 +67,7 @@ bool find_cells(double resolution, const std::optional<Box3>& window, double max
   }
   job.window = blank_within(job.blank, *window);
   if (!job.window || !(job.window->volume() > 0)) return false;
-  // The lattice of the whole blank need not have finer cells than the window. Each of the two gets half of the memory.
+  // The lattice of the whole blank need not have finer cells than the window. The whole blank and the window each get half of the memory.
   job.cell = std::max(cell_for(job.blank->box(), most / 2), resolution);
   job.window_cell = resolution > 0 ? resolution : std::min(cell_for(job.window->box(), most / 2, finest_of(job.tools)), job.cell);
   return true;

@@ -1,4 +1,4 @@
-// CutRun: runs a program that cuts a blank. Used by cli/cut and view/part_run.
+// CutRun: runs a program that cuts a blank. It is used by cli/cut and view/part_run.
 
 #include "session/cutting/cut_run.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 // CutRun: runs a program that cuts a blank. It passes the steps of a session to the stock and to the collision check of the machine's
-// bodies, and the findings to the caller. Used by cli/cut and view/part_run.
+// bodies, and passes the findings to the caller. It is used by cli/cut and view/part_run.
 //
 //   CutRun run(session, job, watch);
-//   run.attach(stop);         // to the session's outlets
+//   run.attach(stop);         // connects the run to the session's outlets
 //   …                         // the caller runs the session
 //   run.finish();
 //   run.cutting().stock()     // the remaining stock
@@ -19,42 +19,43 @@ namespace kadr {
 
 class CutRun {
  public:
-  /// The arguments must outlive this object. `watch`: the collision check; nullptr: the machine has no bodies.
+  /// The arguments must outlive the CutRun object. `watch`: the collision check; nullptr: the machine has no bodies.
   CutRun(Session& session, const CutJob& cut, MachineWatch* watch);
-  CutRun(const CutRun&) = delete;  // the session calls back this object
+  CutRun(const CutRun&) = delete;  // not copyable: the session has a pointer to this object
 
-  /// Receives the alarms, warnings and notes of the program, and the alarm about a tool whose shape is unknown.
+  /// A function that receives the alarms, warnings and notes of the program, and the alarm about a tool whose shape is unknown.
   std::function<void(const AlarmReport&)> on_report;
-  /// Receives each collision, together with an alarm or warning that describes it and its location.
+  /// A function that receives each collision, together with the alarm or warning that describes the collision and its location.
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
-  /// Sets the function that receives what each block has removed, with the name of the block's file. Call before the first step.
+  /// Sets the function that receives what each block has removed, with the name of the block's file. To be called before the first step.
   void on_block(std::function<void(const BlockLoad&)> take);
-  /// Receives a sentence about each piece of input that is questionable but used unchanged.
+  /// A function that receives a sentence about each input value that is questionable but used unchanged.
   std::function<void(const std::string&)> on_note;
 
-  /// Subscribes to the outlets of the session.
+  /// Connects this object to the outlets of the session, which replaces their functions.
   void attach(const StopToken& stop, ProgressDisplay* progress_display = nullptr);
-  /// Declares that no step follows: cuts everything that is still pending.
+  /// Declares that no step follows. All motions that have not been cut yet are cut now.
   void finish();
 
   const Cutting& cutting() const { return cutting_; }
-  /// Completes the result with the file names, and with the calls that led to each finding.
+  /// Adds the file names to the result, and to each finding the calls that led to its block.
   CutResult named(CutResult result) const;
   PartResult part_result(const PartComparison& c) const;
   std::size_t alarms() const { return alarms_; }
   std::size_t warnings() const { return warnings_; }
-  /// The alarm at which cutting stopped because the shape of a tool is unknown; nullopt: no such alarm.
+  /// Returns the alarm at which cutting stopped because the shape of a tool is unknown; nullopt if all shapes were known.
   const std::optional<AlarmReport>& without_shape() const { return without_shape_; }
 
  private:
-  /// Returns the name of the file with this Origin::file; empty for the main program.
+  /// Returns the name of the file with the number Origin::file; empty for the main program.
   std::string program_of(std::uint16_t file) const { return file == 0 ? std::string() : session_.settled_control().file_name(file); }
   void name_program(auto& of) const { of.program = program_of(of.origin.file); }
 
-  /// Cuts a step. Does nothing after the first tool without a shape.
+  /// Cuts a step. After the first tool without a shape the function only runs the collision check. `longer`: additional time that the
+  /// machine needs for the step, s.
   void consume(const Step& step, double longer);
 
-  /// Reports the collisions of the machine's bodies together with the findings of the stock.
+  /// Calls the collision check `take` and reports its collisions together with the findings of the stock.
   template <class Take>
   void watch(const Take& take);
 
@@ -64,7 +65,7 @@ class CutRun {
   Cutting cutting_;
   MachineWatch* const watch_;  // the collision check; nullptr: the machine has no bodies
   TimeEstimate clock_;
-  double later_ = 0;  // delay of the machine's real time after the programmed time, s
+  double later_ = 0;  // delay of the machine's real time compared with the programmed time, s
   std::size_t alarms_ = 0, warnings_ = 0;
   std::optional<AlarmReport> without_shape_;
 };

@@ -1,4 +1,4 @@
-// Copies machine and set-up data into a cutting job. Used by cli/cut and view/part_run.
+// Copies data of the machine and the set-up into a cutting job. This file is used by cli/cut and view/part_run.
 
 #include "session/cutting/cut_setup.h"
 

@@ -1,4 +1,4 @@
-// Cutting: simulates the removal of material by the steps of a run. Used by cli/cut.
+// Cutting: simulates the removal of material by the steps of a run. It is used by cli/cut.
 
 #include "session/cutting/cutting.h"
 
@@ -14,18 +14,18 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t batch_sweeps = 1 << 15;
-constexpr std::size_t max_kept = 100'000;     // greatest number of motions kept before the work system of the blank is known
-constexpr std::size_t max_findings = 1000;    // number of findings that are reported individually
-constexpr double sideways = 0.01;             // greatest travel of a drill in the plane while it cuts, mm
-constexpr double chord_of_cell = 1.0 / 2000;  // tolerance of the chords of an arc, in cells: far below the error of a cell
-constexpr double greatest_chord = 2e-4;       // greatest tolerance of the chords, mm: below the least increment of controls
+constexpr std::size_t max_kept = 100'000;     // greatest number of motions stored until the work coordinates of the blank are known
+constexpr std::size_t max_findings = 1000;    // greatest number of findings that are listed; further findings are only counted
+constexpr double sideways = 0.01;             // greatest travel of a drill across its axis while it cuts, mm
+constexpr double chord_of_cell = 1.0 / 2000;  // tolerance of the chords of an arc, as a fraction of the cell size
+constexpr double greatest_chord = 2e-4;       // greatest tolerance of the chords of an arc, mm: below the least increment of controls
 
 constexpr double seconds_a_minute = 60;
 constexpr Vec3 upright{0, 0, 1};
 
 double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_chord); }
 
-/// Returns the travel of the piece along the tool's axis, mm. The next function returns the travel across that axis.
+/// Returns the travel of the tool along its axis on this segment, mm; negative if the tool moves into the material.
 double climb_of(const PathSegment& p) {
   const Vec3 way = p.to - p.from, k = p.from_direction;
   return way.x * k.x + way.y * k.y + way.z * k.z;
@@ -70,7 +70,7 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     seen_->keep_past(job.past_bytes);
   }
   for (const auto& body : job.fixtures) fixtures_.push_back(std::make_unique<Stock>(body, job.cell, job.threads));
-  double finest = job.cell;  // in all stocks the same sweep must have the same number, so all use the chords of the finest one
+  double finest = job.cell;  // the same sweep must have the same number in all stocks, so all stocks use the chords of the finest lattice
   each_other([&](const Stock& other) { finest = std::min(finest, other.lattice().cell()); });
   stock_.divide_as(finest);
   each_other([&](Stock& other) { other.divide_as(finest); });
@@ -121,7 +121,7 @@ std::size_t Cutting::use_of(std::uint32_t tool) {
   return std::size_t(found - result_.tools.begin());
 }
 
-/// Returns the tool's index in the stock; nullopt if the tools file lacks the tool. A program without tool calls uses the file's only tool.
+/// Returns the tool's index in the stock; nullopt if the tools file lacks the tool. Without tool calls, a single tool of the file is used.
 std::optional<std::uint16_t> Cutting::shape_of_tool() {
   for (const auto& [number, shape] : shapes_)
     if (number == tool_) return shape;
@@ -131,7 +131,7 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
   const ToolShape shape = shape_of(*geometry);
   const std::uint16_t number = stock_.add_tool(shape);
   each_other([&](Stock& other) { (void)other.add_tool(shape); });
-  if (shape.turns()) {  // the next index means the same tool while its insert is in a thread groove
+  if (shape.turns()) {  // the second index is the tool without its insert, which is used while the insert is in a thread groove
     (void)stock_.add_tool(holder_of(shape));
     each_other([&](Stock& other) { (void)other.add_tool(holder_of(shape)); });
   }
@@ -139,11 +139,12 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
   return number;
 }
 
-/// Returns the fault to report if the cutting part of the tool removes material during this motion.
+/// Returns the alarm to report if the cutting edges of the tool remove material on this motion; no_alarm if the motion may cut.
 AlarmId Cutting::fault_of(const Motion& motion, const std::vector<PathSegment>& pieces, const ToolGeometry& tool) const {
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return AlarmId::rapid_in_stock;
-  if (motion.kind == MotionKind::thread) return no_alarm;  // the control drives the spindle on a thread
-  if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return no_alarm;  // the control drives the spindle
+  if (motion.kind == MotionKind::thread) return no_alarm;  // on a thread the control itself drives the spindle
+  // in a tapping cycle the control itself drives the spindle
+  if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return no_alarm;
   if (tool.kind == ToolKind::turning) return (spinning_ & ~speedless_) == 0 ? AlarmId::spindle_stopped : no_alarm;  // the part must rotate
   if ((spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) || (speedless_ & 1U) != 0) return AlarmId::spindle_stopped;
   if (spindle_ == SpindleDir::ccw && motion.in_hole != HoleWork::taps) return AlarmId::spindle_wrong_way;
@@ -154,30 +155,30 @@ AlarmId Cutting::fault_of(const Motion& motion, const std::vector<PathSegment>& 
   return down && !tool.plunges ? AlarmId::plunge : no_alarm;
 }
 
-/// Returns the axes along which the position is unknown. For a turning tool, one of X and Y suffices.
+/// Returns the axes along which the position is unknown. For a turning tool it is enough if X or Y is known.
 AxisMask Cutting::unknown_now() const {
   const ToolGeometry* const tool = job_.tools.find(tool_);
   const bool turns = tool != nullptr && tool->kind == ToolKind::turning;
   return turns && (unknown_ & across_) != across_ ? unknown_ & ~across_ : unknown_;
 }
 
-/// Returns true if the start of the motion is known. From now on the position is known along the axes that the motion's words name.
+/// True if the start position of the motion is known. After the call, the position along the axes that the motion names is known.
 bool Cutting::place_known(const Motion& motion) {
   const bool known = unknown_now() == 0;
   unknown_ &= ~motion.named;
   return known;
 }
 
-/// True if the insert of a turning tool moves in a thread groove, or leaves it by a rapid after the thread. On this motion it sweeps a
-/// helix instead of a ring, so the model removes no material.
+/// True if the insert of a turning tool moves in a thread groove, or leaves the groove by a rapid after the thread. On such a motion the
+/// insert sweeps a helix, which the model of rings cannot represent, so no material is removed.
 bool Cutting::is_in_groove(const Motion& motion) {
   const bool threads = motion.kind == MotionKind::thread, in_groove = threads || (in_thread_ && motion.kind == MotionKind::rapid);
   in_thread_ = threads;
   return in_groove;
 }
 
-/// Shifts the pieces if the control applies a length that is not the tool's actual length: with a worn tool, a wrong H or no H, the tip
-/// is lower or higher than the control assumes.
+/// Shifts the segments by the difference between the length that the control applies and the actual length of the tool. With a worn tool, a
+/// wrong H or no H, the tip is lower or higher than the control assumes.
 void Cutting::shift_by_length() {
   const auto real = job_.lengths.find(tool_);
   if (real == job_.lengths.end()) return;
@@ -190,11 +191,11 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   const Motion* const motion = step.motion();
   result_.seconds = std::max(result_.seconds, time.begins + time.seconds + step.pause);
   way_.take(step, pieces_);
-  if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // even without travel, the words state the position
+  if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // a motion without travel also states a position
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || time.begins >= job_.until) return {};
-  if (motion->in_hole == HoleWork::clear_of_wall) return {};  // the single cutting edge of the boring bar points away from the wall
+  if (motion->in_hole == HoleWork::clear_of_wall) return {};  // the only cutting edge of the boring bar points away from the wall
   shift_by_length();
-  if (!place_known(*motion) && !is_cutting(motion->kind)) {  // only the end of a motion to the first known position is known
+  if (!place_known(*motion) && !is_cutting(motion->kind)) {  // the start of this motion is unknown, so at most its end is used
     if (unknown_now() != 0) return {};
     const PathSegment last = pieces_.back();
     pieces_.assign(1, {last.to, last.to, 0, 1, last.to_direction, last.to_direction});
@@ -236,7 +237,7 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   return {};
 }
 
-/// Cuts the kept pieces. If the blank's work system is still unknown, the present work system is used.
+/// Cuts the stored motions. If the work coordinates of the blank are still unknown, the present work coordinates are used.
 void Cutting::release_kept() {
   zero_ = way_.zero().value_or(way_.present_origin());
   zero_known_ = true;
@@ -324,7 +325,7 @@ void Cutting::count_removed() {
   }
 }
 
-/// Reports the contacts of a motion as one finding per kind.
+/// Reports the contacts of each motion, as one finding per kind of fault. `of_fixture`: the contacts are with a fixture.
 void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
   std::map<std::pair<std::size_t, AlarmId>, std::pair<Box3, double>> around;  // (index in batch_, fault) → (box, volume)
   for (const Touch& t : touches) {
@@ -347,7 +348,7 @@ void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
   }
 }
 
-/// Returns the smallest depth that the stock can resolve; inside the window its finer cell counts.
+/// Returns the least depth that the stock can resolve, mm. Inside the window the finer cells of the window determine the depth.
 double Cutting::least_depth(const Box3& around) const {
   return window_ && lies_within(around, job_.window->box()) ? window_->least_piece() : stock_.least_piece();
 }
@@ -361,7 +362,7 @@ AlarmId Cutting::fault_of_touch(const Moved& moved, ToolPart part, bool of_fixtu
 void Cutting::keep(const CutFinding& finding) {
   const bool is_warning = finding.id == AlarmId::no_coolant;
   if (is_warning && std::find(job_.disabled.begin(), job_.disabled.end(), finding.id) != job_.disabled.end()) return;
-  if (is_warning && !without_coolant_.insert(finding.origin.line).second) return;  // one warning per line is enough
+  if (is_warning && !without_coolant_.insert(finding.origin.line).second) return;  // only one warning per line is reported
   auto& list = is_warning ? result_.warnings : result_.collisions;
   if (list.size() >= max_findings) {
     ++result_.not_listed;
@@ -376,7 +377,7 @@ void Cutting::finish() {
   cut();
   loads_.finish();
   notify_others();
-  batch_ = std::vector<Moved>();  // frees memory before the next step
+  batch_ = std::vector<Moved>();  // frees the memory of the batch
 }
 
 std::size_t Cutting::bytes() const {

@@ -1,11 +1,12 @@
 #pragma once
-// Cutting: simulates the removal of material by the steps of a run: the path of each tool, the volume it removes, and collisions with
-// what it must not touch.
+// Cutting: simulates the removal of material by the steps of a run. It computes the path of each tool, the volume that the tool removes,
+// and collisions with what the tool must not touch.
 //
-//   Step ─ ToolPath ─▶ straight pieces ─▶ Stock (in batches) ─▶ Touch ─▶ CutFinding
+//   Step ─ ToolPath ─▶ straight segments ─▶ Stock (in batches) ─▶ Touch ─▶ CutFinding
 //
-// The pieces are cut in batches, so a finding is reported when its batch is complete. Until the work system of the blank is known, at the
-// first motion at feed, the pieces are kept. A sweep of the stock is the movement of a tool along one straight piece.
+// The segments are cut in batches, so a finding is reported when its batch is complete. The work coordinates of the blank become known at
+// the first motion at feed. Earlier segments are stored until then. A sweep of the stock is the movement of a tool along one straight
+// segment.
 
 #include <functional>
 #include <map>
@@ -28,38 +29,38 @@
 
 namespace kadr {
 
-/// The real time at which the machine executes a step, s since the start of the program. It is later than the programmed time if
-/// accelerations or limits slow the machine down.
+/// The time at which the machine really executes a step: begin, s since the start of the program, and duration, s. It is later than the
+/// programmed time if accelerations or limits delay the machine.
 struct MachineTime {
   double begins = 0, seconds = 0;
 };
 
 struct CutJob {
   std::shared_ptr<const Blank> blank;
-  std::vector<std::shared_ptr<const Blank>> fixtures;  // clamping bodies, which must never be cut
+  std::vector<std::shared_ptr<const Blank>> fixtures;  // bodies that hold the part and must never be cut
   ToolLibrary tools;
-  /// Actual length of each tool, by number, if the control's table states the length under the tool's own number. Any other tool is
-  /// assumed to be as long as the control applies it.
+  /// Actual length of each tool, mm, by tool number. The entry exists if the control's offset table states the length in the row with the
+  /// tool's own number. A tool without an entry is assumed to have the length that the control applies.
   std::map<std::uint32_t, double> lengths;
-  std::shared_ptr<const MachineTree> machine;  // the kinematics from the machine's file; nullptr: the file does not describe them
-  double cell = 0.5;                           // cell size of the stock, mm
-  // the part of the blank that is cut again with finer cells, from blank_within(); nullptr: no window
+  std::shared_ptr<const MachineTree> machine;  // kinematics of the machine; nullptr: the machine's file does not describe the kinematics
+  double cell = 0.5;                           // cell size of the stock's lattice, mm
+  // the part of the blank that is cut again with finer cells, see blank_within(); nullptr: no window
   std::shared_ptr<const Blank> window;
-  double window_cell = 0;      // cell size of the window, mm
-  double seen_cell = 0;        // cell size, mm, of the coarser stock that can be displayed at any instant; 0: no such stock
-  std::size_t past_bytes = 0;  // memory of the coarser stock for its past: Stock::keep_past()
+  double window_cell = 0;      // cell size of the window's lattice, mm
+  double seen_cell = 0;        // cell size of the coarser stock that can be displayed at any instant, mm; 0: no coarser stock
+  std::size_t past_bytes = 0;  // memory in which the coarser stock stores its past, bytes: Stock::keep_past()
   int threads = 1;
-  std::optional<std::uint16_t> system;  // number of the work system for the path, see ToolPath
-  std::optional<Axes> apart;            // rapid rates, if each axis moves at its own rate, see ToolPath
-  bool wants_coolant = false;           // warn of cutting without coolant
-  std::vector<AlarmId> disabled;        // warnings that are not to be reported
+  std::optional<std::uint16_t> system;  // number of the work offset for the path, see ToolPath; nullopt: that of the first motion at feed
+  std::optional<Axes> apart;            // rapid rates of the axes, if each axis moves at its own rate, see ToolPath
+  bool wants_coolant = false;           // true: cutting without coolant is reported as a warning
+  std::vector<AlarmId> disabled;        // warnings that are not reported
   std::uint32_t tool = 0;               // number of the tool in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;
   double rpm = 0;            // spindle speed at the start, rev/min
-  bool keeps_rates = false;  // Cutting::rates() will be used
-  // the set-up states the start position; false: the position is known when X, Y and Z have each been programmed
+  bool keeps_rates = false;  // true: the removal rates are recorded for Cutting::rates()
+  // true: the set-up states the start position; false: the position is known after X, Y and Z have each been programmed
   bool starts_known = false;
-  double until = 1e300;  // motions after this time of the program, s, are not cut
+  double until = 1e300;  // instant of the program, s, after which motions are not cut
   StopToken stop;
 };
 
@@ -67,52 +68,56 @@ class Cutting {
  public:
   Cutting(const CutJob& job, const AxisRoles& roles);
 
-  /// Receives the findings, batch by batch, in the order of the program.
+  /// A function that receives the findings, batch by batch, in the order of the program.
   std::function<void(const CutFinding&)> on_finding;
-  /// Receives what each block has removed at feed, in the order of the program; the function is called a batch and some blocks later.
+  /// A function that receives what each block has removed at feed, in the order of the program. It is called later than the block's steps
+  /// arrive, by a batch and some blocks.
   std::function<void(const BlockLoad&)> on_block;
 
-  /// Processes a step. Returns the alarm tool_without_shape if the step cannot be cut.
+  /// Processes a step. Returns the alarm tool_without_shape if the shape of the tool is unknown, so that the step cannot be cut.
   Status consume(const Step& step, const MachineTime& time);
-  /// Adds a finding that another check made in an earlier step; it is reported together with the findings of the stock.
+  /// Adds a finding of another check. It is reported together with the findings that the stock makes in the same batch.
   void also(const CutFinding& finding) { others_.push_back(finding); }
-  /// Cuts everything that is still pending.
+  /// Cuts the motions that have not been cut yet. To be called after the last step.
   void finish();
-  /// Call after finish(). `left`: volume enclosed by the surface of the remaining stock.
+  /// Returns the results; to be called after finish(). `left`: volume that the surface of the remaining stock encloses, mm³. `error_bound`:
+  /// greatest error of that volume, mm³.
   CutResult result(double left, double error_bound) const;
-  /// Returns the program line of a sweep of the stock, with Origin::file; line 0 if `sweep` is of_blank.
+  /// Returns the file number (Origin::file) and the program line of a sweep of the stock. The line is 0 if `sweep` is of_blank, that is, if
+  /// no sweep has cut the surface there.
   SweepLines::Line line_of(std::int32_t sweep) const { return sweep < 0 ? SweepLines::Line() : lines_.of(std::size_t(sweep)); }
-  /// By number of the sweep: removal rate of the block to which the sweep belongs, mm³/s; 0: the sweep is a rapid, or its rate is unknown.
-  /// The last sweeps may be missing.
+  /// Returns the removal rate, mm³/s, of the block to which each sweep belongs, by number of the sweep. A rate of 0 means that the sweep is
+  /// a rapid or that its rate is unknown. The last sweeps may be missing.
   const std::vector<float>& rates() const { return rate_of_sweep_; }
   const Stock& stock() const { return stock_; }
-  /// The stock of the window, with the same numbers of sweeps; nullptr if there is no window.
+  /// Returns the stock of the window, whose sweeps have the same numbers; nullptr if there is no window.
   const Stock* window() const { return window_.get(); }
-  /// The coarser stock (CutJob::seen_cell), which can display its past, with the same numbers of sweeps; nullptr if there is none.
+  /// Returns the coarser stock (CutJob::seen_cell), which can display its past and whose sweeps have the same numbers; nullptr if there is
+  /// none.
   const Stock* seen() const { return seen_.get(); }
-  /// Returns which sweeps have been executed at an instant of the machine's time.
+  /// Returns how many sweeps the machine has executed at an instant of its real time, s since the start of the program.
   SweepProgress sweeps_at(double instant) const { return times_.at(instant); }
-  /// The zero point of the blank's work system in machine coordinates. Call after finish().
+  /// Returns the zero point of the blank's work coordinates, in machine coordinates, mm. To be called after finish().
   Vec3 zero() const { return zero_; }
-  /// Memory of all stocks and of the data about sweeps, bytes.
+  /// Returns the memory of all stocks and of the data about sweeps, bytes.
   std::size_t bytes() const;
 
  private:
-  /// A motion whose straight pieces are in the current batch.
+  /// A motion whose straight segments are in the current batch.
   struct Moved {
     Origin origin;
     std::size_t first_sweep = 0;
     std::uint32_t tool = 0;
-    std::size_t use = 0;       // index of the tool's row in result_.tools
-    AlarmId fault = no_alarm;  // the fault to report if the cutting part of the tool removes material on this motion
+    std::size_t use = 0;       // index of the tool in result_.tools
+    AlarmId fault = no_alarm;  // the alarm to report if the cutting edges of the tool remove material on this motion
     bool cuts = false, lacks_coolant = false;
     double begins = 0, seconds = 0, length = 0, flat = 0;
-    double whole = 0;                // time of the whole motion, s
-    double diameter = 0, teeth = 0;  // as in CutMotion
+    double whole = 0;                // duration of the whole motion, s; `seconds` ends at CutJob::until
+    double diameter = 0, teeth = 0;  // diameter and teeth per second, as in CutMotion
     Vec3 at;
-    Vec2 radius;                              // turning tools: unit vector from the axis of rotation towards the tool; else 0
-    bool in_groove = false, threads = false;  // turning tools: the insert moves in a thread groove; the motion itself cuts the thread
-    double lead = 0;                          // thread lead, mm; 0: the program does not state it
+    Vec2 radius;                              // for turning tools the unit vector from the axis of rotation towards the tool; otherwise 0
+    bool in_groove = false, threads = false;  // for turning tools: the insert moves in a thread groove; the motion cuts the thread
+    double lead = 0;                          // thread lead, mm; 0: the program states no lead
   };
   struct Kept {
     Moved moved;
@@ -125,7 +130,7 @@ class Cutting {
   bool is_in_groove(const Motion& motion);
   std::optional<std::uint16_t> shape_of_tool();
   AlarmId fault_of(const Motion& motion, const std::vector<PathSegment>& pieces, const ToolGeometry& tool) const;
-  /// Calls `visit` with each stock except the main one: window, coarser stock, fixtures.
+  /// Calls `visit` with each stock except the main stock: those of the window, the coarser cells and the fixtures.
   template <class Visit>
   void each_other(const Visit& visit) const;
   void add(const Moved& moved, const std::vector<PathSegment>& pieces, std::uint16_t shape);
@@ -145,14 +150,14 @@ class Cutting {
   Stock stock_;
   std::unique_ptr<Stock> window_, seen_;
   std::vector<std::unique_ptr<Stock>> fixtures_;
-  std::set<std::uint32_t> without_coolant_;                      // lines whose lack of coolant has been reported
+  std::set<std::uint32_t> without_coolant_;                      // lines at which cutting without coolant has been reported
   std::vector<std::pair<std::uint32_t, std::uint16_t>> shapes_;  // tool number → index from Stock::add_tool()
-  AxisMask unknown_ = 0;                                         // axes of X, Y, Z along which the tool's position is unknown
+  AxisMask unknown_ = 0;                                         // which of the axes X, Y, Z have an unknown position
   AxisMask across_ = 0;                                          // mask of the axes X and Y
   std::uint32_t tool_;
   SpindleDir spindle_;
   std::uint32_t spinning_ = 0;  // bit mask of the rotating spindles; any of them may rotate the part
-  bool in_thread_ = false;      // the last motion of a turning tool was a pass of a thread
+  bool in_thread_ = false;      // true: the last motion of a turning tool was a pass of a thread
   double rpm_;
   std::uint32_t speedless_ = 0;  // bit mask of the spindles whose programmed speed is 0
   Coolant coolant_ = Coolant::off;
@@ -161,7 +166,7 @@ class Cutting {
   std::vector<Moved> batch_;
   std::vector<CutFinding> others_;
   SweepLines lines_;
-  SweepTimes times_;  // filled if there is a stock to be displayed at any instant
+  SweepTimes times_;  // times of the sweeps; empty unless there is a coarser stock for display
   std::vector<float> rate_of_sweep_;
   Vec3 zero_;
   bool zero_known_ = false;

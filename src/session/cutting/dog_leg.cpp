@@ -1,4 +1,5 @@
-// Computes rapid motions of axes that move independently. Used by session/cutting/tool_path and axes_path; tested by tests/run_cut.py.
+// DogLeg: computes rapid motions of axes that move independently. It is used by session/cutting/tool_path and axes_path, and tested by
+// tests/run_cut.py.
 
 #include "session/cutting/dog_leg.h"
 
@@ -8,7 +9,7 @@
 namespace kadr {
 namespace {
 
-constexpr double same_part = 1e-9;  // arrival times that differ less (as parts of the motion) count as equal
+constexpr double same_part = 1e-9;  // arrival times, as fractions (0 to 1) of the motion's time, that differ by less count as equal
 
 bool is_rapid(const Motion& motion) { return motion.kind == MotionKind::rapid || (motion.kind == MotionKind::home && !(motion.feed > 0)); }
 

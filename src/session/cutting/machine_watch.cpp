@@ -1,4 +1,4 @@
-// MachineWatch. Used by cli/cut; tested by tests/run_cut.py.
+// MachineWatch: finds collisions of the machine's bodies during a run. It is used by cli/cut and tested by tests/run_cut.py.
 
 #include "session/cutting/machine_watch.h"
 
@@ -12,12 +12,12 @@
 namespace kadr {
 namespace {
 
-// chord tolerance of the travel of the axes, mm or degrees: a fifth of the depth that counts as a collision
+// Tolerance of the chords that replace the motion of the axes, mm or degrees. It is a fifth of the depth that counts as a collision.
 constexpr double chord_of_axes = 0.002;
-constexpr std::size_t max_kept_steps = 10'000;  // number of steps kept before the work system of the blank is known
-constexpr double same_length = 1e-9;            // mm: lengths that differ less count as equal
+constexpr std::size_t max_kept_steps = 10'000;  // greatest number of steps stored until the work coordinates of the blank are known
+constexpr double same_length = 1e-9;            // mm; lengths that differ by less count as equal
 
-/// Returns the kinematics of the machine. If its file has no [kinematics], the axes X, Y and Z carry the tool, in this order.
+/// Returns the kinematics of the machine. If the machine's file has no [kinematics], the axes X, Y and Z carry the tool, in this order.
 MachineTree tree_of(MachineProfile machine, const std::vector<std::string>& axes) {
   if (!machine.chains.given()) {
     machine.chains.tool = {"X", "Y", "Z"};
@@ -29,7 +29,7 @@ MachineTree tree_of(MachineProfile machine, const std::vector<std::string>& axes
   return {machine, axes};
 }
 
-/// Returns the rotation from the tool's own coordinates (its axis along Z) to the direction of the tool in the spindle.
+/// Returns the rotation that turns a tool with its axis along Z into the direction of the tool in the spindle.
 Mat3 turn_of_tool(Vec3 direction) {
   const Vec3 z{0, 0, 1}, axis = cross(z, direction);
   if (length(axis) > 0) return Mat3::about(unit(axis), std::atan2(length(axis), dot(z, direction)) / rad_per_deg);
@@ -100,8 +100,8 @@ std::optional<std::string> MachineWatch::add_bodies(const MachineProfile& machin
   return std::nullopt;
 }
 
-/// Returns the bodies of a tool, which are created when the tool is first in the spindle; nullptr if the tools file does not contain the
-/// tool.
+/// Returns the bodies of a tool. They are created when the tool is first in the spindle. Returns nullptr if the tools file does not contain
+/// the tool.
 const MachineWatch::ToolBodies* MachineWatch::bodies_of_tool(std::uint32_t tool) {
   for (const ToolBodies& made : tools_)
     if (made.tool == tool) return &made;
@@ -112,7 +112,7 @@ const MachineWatch::ToolBodies* MachineWatch::bodies_of_tool(std::uint32_t tool)
   const std::size_t group = names_.size();
   for (const ConvexBody& body : shape_of(*geometry).bodies) {
     const auto solid = bodies_.world().add(body);
-    if (!solid) continue;  // the collision library FCL cannot represent bodies of zero width
+    if (!solid) continue;  // a body of zero width is omitted, since the collision library FCL cannot represent it
     made.sticks_out = std::max(made.sticks_out, body.top());
     made.bodies.push_back(bodies_.add(*solid, bodies_.links().tool(), BodyKind::tool, group));
     names_.push_back(tool_in_words(body.part, geometry->number));
@@ -120,9 +120,9 @@ const MachineWatch::ToolBodies* MachineWatch::bodies_of_tool(std::uint32_t tool)
   return &tools_.emplace_back(std::move(made));
 }
 
-/// Determines the distance from the gauge point down to the tool tip: from the set-up, else from the length that the control applies now
-/// or has applied last. If neither is known, the tool has the length in its file, and the work zero is assumed to have been set with the
-/// tip.
+/// Determines the distance from the gauge point down to the tool tip. It comes from the set-up, or else from the length that the control
+/// applies now or has applied last. If neither is known, the tool has the length that the tools file states, and the work offset is assumed
+/// to have been measured with the tool tip.
 void MachineWatch::take_tool(const InForce& in_force, std::vector<std::string>& notes) {
   if (std::fabs(in_force.length) > same_length) lengths_in_force_[in_force.tool] = in_force.length;
   const auto real = job_.lengths.find(in_force.tool), reckoned = lengths_in_force_.find(in_force.tool);
@@ -145,8 +145,8 @@ void MachineWatch::take_tool(const InForce& in_force, std::vector<std::string>& 
   notes.push_back(translated(texts::cutting::length_not_stated, in_force.tool));
 }
 
-/// Places blank and fixtures on the link that carries them. `reference`: distance from the gauge point down to the point of the tool with
-/// which the work zero was set, mm.
+/// Places blank and fixtures on the link that carries them. `reference`: distance from the gauge point down to the point with which the
+/// work offset was measured, mm.
 void MachineWatch::position_work(double reference) {
   if (!zero_) return;
   std::vector<LinkPose>& poses = poses_;
@@ -156,8 +156,8 @@ void MachineWatch::position_work(double reference) {
   for (const std::size_t body : work_) bodies_.put(body, work_on_link_), bodies_.show(body, true);
 }
 
-/// Computes the machine position at the work zero in force: X, Y, Z at the zero, and the axes that turn the part as they were when the
-/// zero was measured.
+/// Computes the machine position at the zero point of the work coordinates in force. X, Y and Z are at the zero point. The axes that turn
+/// the part are where they were when the work offset was measured.
 void MachineWatch::find_zero() {
   Axes axes{};
   const Vec3 zero = work_origin_of(chain_, placement_);
@@ -230,7 +230,7 @@ void MachineWatch::execute(const Step& step, const InForce& in_force, std::vecto
   };
   if (in_force.known) along_axes_path(step, chord_of_axes, job_.apart, go);
   else go(motion.machine, 1);
-  // if a motion has many pieces, later pieces may deepen a collision found in an earlier piece
+  // a later segment of the motion may deepen a collision of an earlier segment, so the depths at the end of the motion are compared too
   for (std::size_t i = 0; i < new_ones.size(); ++i) {
     double& depth = found[first_new + i].depth;
     depth = std::max(depth, bodies_.depth(new_ones[i].first, new_ones[i].second, at));

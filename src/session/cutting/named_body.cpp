@@ -1,4 +1,4 @@
-// Reads descriptions of solids: boxes, cylinders, mesh files. Used by cli/cut and view/part_run; tested by
+// Reads descriptions of solids: boxes, cylinders and mesh files. This file is used by cli/cut and view/part_run, and tested by
 // tests/session/named_body_test.cpp.
 
 #include "session/cutting/named_body.h"
@@ -17,9 +17,9 @@ namespace kadr {
 namespace {
 
 using Failed = tl::unexpected<std::string>;
-constexpr double farthest = 1e5;  // greatest permitted coordinate, mm
+constexpr double farthest = 1e5;  // greatest permitted coordinate of a solid, mm
 
-/// Reads numbers separated by commas. Returns nullopt if the text contains anything else.
+/// Reads numbers that are separated by commas. Returns nullopt if the text contains anything else.
 std::optional<std::vector<double>> numbers_of(std::string_view text) {
   std::vector<double> numbers;
   const char* at = text.data();

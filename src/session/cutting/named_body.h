@@ -1,5 +1,5 @@
 #pragma once
-// Reads the solids that a user describes as text: blanks and fixtures. Used by cli/cut and view/part_run.
+// Reads the solids that a user describes as text, which are blanks and fixtures. It is used by cli/cut and view/part_run.
 
 #include <memory>
 #include <optional>
@@ -15,22 +15,23 @@ namespace kadr {
 
 struct NamedBody {
   std::shared_ptr<const Blank> body;
-  std::vector<std::string> notes;  // sentences about repairs of the mesh file
+  std::vector<std::string> notes;  // sentences about repairs of the mesh that the file describes
 };
 
-/// Reads a box (box:X0,Y0,Z0,X1,Y1,Z1), a cylinder (cylinder:X,Y,Z0,Z1,D) or a mesh file (name ends in .stl or .3mf), in mm.
+/// Reads the description of a solid: a box (box:X0,Y0,Z0,X1,Y1,Z1), a cylinder (cylinder:X,Y,Z0,Z1,D) or the name of a mesh file (which
+/// ends in .stl or .3mf). All lengths are in mm.
 ///   max_bytes  memory limit for reading a file
-///   returns     an error sentence
+///   returns    an error sentence if the text or the file is not valid
 tl::expected<NamedBody, std::string> body_of(const std::string& text, double max_bytes, const FileAccess* door = nullptr);
 
-/// True if the text is the name of a mesh file, judged by its ending.
+/// True if the text ends like the name of a mesh file.
 bool names_mesh_file(const std::string& text);
 
-/// Returns the box or cylinder that the text describes; nullopt if it is invalid, or names a file.
+/// Returns the box or cylinder that the text describes; nullopt if the text is not valid or is the name of a file.
 std::optional<BodyShape> shape_of_words(const std::string& text);
 
-/// Reads the corners of a window: X0,Y0,Z0,X1,Y1,Z1, mm.
-///   returns  an error sentence
+/// Reads two opposite corners of a window: X0,Y0,Z0,X1,Y1,Z1, mm.
+///   returns  an error sentence if the text is not valid
 tl::expected<Box3, std::string> window_of(const std::string& text);
 
 }  // namespace kadr

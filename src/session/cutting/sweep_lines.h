@@ -1,8 +1,9 @@
 #pragma once
-// SweepLines: stores the program line of each sweep of the stock (tool movement along a straight piece). Used by session/cutting/cutting.
+// SweepLines: stores the program line of each sweep of the stock (tool movement along a straight segment). It is used by
+// session/cutting/cutting.
 //
-// Usually each line has one sweep and the lines are consecutive, or one line has many sweeps. Sweeps whose line number grows by a
-// constant step are stored together as one run.
+// Usually each line has one sweep and the lines are consecutive, or one line has many sweeps. Sweeps whose line number grows by a constant
+// difference are stored together as one run.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,11 +15,11 @@ class SweepLines {
  public:
   struct Line {
     std::uint32_t line = 0;
-    std::uint16_t file = 0;  // number of the file, as Origin::file
+    std::uint16_t file = 0;  // number of the file: Origin::file
     bool operator==(const Line&) const = default;
   };
 
-  /// Assigns the line to all sweeps before number `end` that have no line yet.
+  /// Assigns `line` to all sweeps with numbers below `end` that have no line yet.
   void fill(std::size_t end, Line line) {
     for (; size_ < end; ++size_) add(line);
   }
@@ -31,7 +32,8 @@ class SweepLines {
 
  private:
   struct Run {
-    std::uint32_t first, line, step;  // number of the first sweep; its line; growth of the line number per sweep, modulo 2³²
+    // number of the first sweep of the run; its line; difference of the line number from one sweep to the next, modulo 2³²
+    std::uint32_t first, line, step;
     std::uint16_t file;
   };
   static Line at(const Run& run, std::size_t sweep) { return {run.line + run.step * std::uint32_t(sweep - run.first), run.file}; }
@@ -45,7 +47,7 @@ class SweepLines {
   }
 
   std::size_t size_ = 0;
-  std::deque<Run> runs_;  // sorted by first sweep
+  std::deque<Run> runs_;  // sorted by number of the first sweep
 };
 
 }  // namespace kadr

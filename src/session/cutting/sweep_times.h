@@ -1,8 +1,8 @@
 #pragma once
-// SweepTimes: stores when each sweep of the stock (tool movement along a straight piece) is executed, and returns how many sweeps are
-// complete at an instant. Used by session/cutting/cutting.
+// SweepTimes: stores when the machine executes each sweep of the stock (tool movement along a straight segment). It returns how many sweeps
+// are complete at an instant. It is used by session/cutting/cutting.
 //
-// All sweeps of one piece take equal times. Consecutive sweeps with equal times are stored together as one run.
+// All sweeps of one segment take equal times. Consecutive sweeps with equal times are stored together as one run.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// Progress at an instant: `count` sweeps are complete, and the share `share` of the path of the next one.
+/// The progress at an instant: the number of complete sweeps, and the fraction `share` (0 to 1) of the next sweep's path.
 struct SweepProgress {
   std::size_t count = 0;
   double share = 0;
@@ -20,8 +20,8 @@ struct SweepProgress {
 
 class SweepTimes {
  public:
-  /// Assigns times to the sweeps before number `end` that have none: the sweeps fill the time from `begins` to `ends` (s since the start)
-  /// evenly.
+  /// Assigns times to the sweeps with numbers below `end` that have no time yet. These sweeps divide the time from `begins` to `ends` (s
+  /// since the start) into equal parts.
   ///   pre  `begins` is not before the end of the last sweep
   void fill(std::size_t end, double begins, double ends) {
     if (end <= size_) return;
@@ -48,7 +48,7 @@ class SweepTimes {
     std::uint32_t first;  // number of the first sweep
     float each;           // duration of each sweep, s
   };
-  static constexpr double same_time = 1e-6;  // s; times that differ less count as equal
+  static constexpr double same_time = 1e-6;  // s; durations that differ by less count as equal
 
   bool goes_on(double begins, double each) const {
     if (runs_.empty()) return false;

@@ -1,5 +1,5 @@
-// Joins the passes of threading tools into threads. Consecutive passes along the same path that differ in depth only are one thread,
-// whichever lines program them. Used by session/cutting; tested by tests/run_cut.py.
+// Joins the passes of threading tools into threads. Consecutive passes along the same path that differ only in depth are one thread, even
+// if different lines program them. This file is used by session/cutting and tested by tests/run_cut.py.
 
 #include "session/cutting/thread_cuts.h"
 
@@ -11,8 +11,8 @@
 namespace kadr {
 namespace {
 
-/// True if the insert is farther from the axis of rotation than its tip, so that it cuts an outside thread. `x`: signed radius of the
-/// tip.
+/// True if the insert extends from its tip away from the axis of rotation. Then the tool cuts an outside thread. `x`: signed radius of the
+/// tip, mm.
 bool cuts_outside(const ToolShape& tool, double x) {
   double beyond = 0;
   for (const InsertBody& body : tool.insert)
@@ -20,10 +20,10 @@ bool cuts_outside(const ToolShape& tool, double x) {
   return beyond * x >= 0;
 }
 
-constexpr double same_place = 0.1;  // greatest distance of passes of the same thread if the thread lead is unknown, mm
+constexpr double same_place = 0.1;  // greatest distance between passes of one thread if its lead is unknown, mm
 
-/// True if the pass belongs to the thread. If the tool is fed in along the flank, a pass starts less than one thread lead away from the
-/// previous pass.
+/// True if the pass belongs to the thread. When the tool is fed in along the flank, the ends of a pass are less than one thread lead away
+/// from those of the previous pass.
 bool goes_with(const ThreadCut& pass, const ThreadCut& thread) {
   const double apart = std::max(std::fabs(pass.from_z - thread.from_z), std::fabs(pass.to_z - thread.to_z));
   return pass.tool == thread.tool && pass.lead == thread.lead && pass.is_outer == thread.is_outer &&

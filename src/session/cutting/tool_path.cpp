@@ -1,4 +1,4 @@
-// ToolPath: converts steps to straight pieces of the path of the tool tip. Used by session/cutting.
+// ToolPath: converts steps to straight segments of the path of the tool tip. It is used by session/cutting.
 
 #include "session/cutting/tool_path.h"
 
@@ -11,13 +11,14 @@
 namespace kadr {
 namespace {
 
-constexpr int max_pieces = 4096;        // greatest number of pieces per revolution: chords are accurate to 0.1 µm up to a radius of 340 mm
-constexpr double same_position = 1e-9;  // mm
-// mm; assumed distance of the far end of a tool from its tip; an error of the direction is greatest there
+// greatest number of segments per revolution; the chords are then accurate to 0.1 µm up to a radius of 340 mm
+constexpr int max_pieces = 4096;
+constexpr double same_position = 1e-9;  // mm; positions that differ by less count as equal
+// Assumed length of a tool, mm. An error of the tool's direction has its greatest effect at that distance from the tip.
 constexpr double reach = 100;
-constexpr double tilted_chord = 5e-4;  // mm; tolerance for a tilted tool, whose sweeps are accurate to 2.5 µm (docs/stock.md)
-constexpr double turn_of_chord = 5;    // the far end of the tool may deviate by this many times the tolerance of the tip
-// degrees; a greater rotation is always divided, since its end direction may equal its start direction
+constexpr double tilted_chord = 5e-4;  // tolerance for a tilted tool, mm; the sweeps of tilted tools are accurate to 2.5 µm (docs/stock.md)
+constexpr double turn_of_chord = 5;    // permitted deviation of the upper end of the tool, as a multiple of the tolerance of the tip
+// Degrees; a greater rotation is always divided, since its end direction may equal its start direction.
 constexpr double undivided = 45;
 constexpr int max_depth = 16;
 
@@ -26,7 +27,7 @@ bool has_rotary_axis(const MachineTree& tree) {
   return std::any_of(tree.tool().begin(), tree.tool().end(), turns) || std::any_of(tree.part().begin(), tree.part().end(), turns);
 }
 
-/// Returns the largest rotation of a rotary axis in the step, degrees.
+/// Returns the largest rotation that a rotary axis makes in the step, degrees.
 double rotary_travel(const Step& step) {
   const Motion& motion = *step.motion();
   double most = 0;
@@ -55,8 +56,8 @@ bool ToolPath::turns(const Step& step) const {
   return tree_ != nullptr || (space != nullptr && space->has_rotary());
 }
 
-/// Returns the work system as its table states it, without the shift by G52 or G92. The shift is part of the origin; if the origin is
-/// rotated, it is stored separately.
+/// Returns the work coordinates in force, without a shift by G52 or G92. The shift is normally part of the origin, so it is subtracted. If
+/// the coordinates are rotated, the shift is stored separately.
 Placement ToolPath::without_shift() const {
   Placement plain = placement_;
   plain.shift = {};
@@ -64,7 +65,8 @@ Placement ToolPath::without_shift() const {
   return plain;
 }
 
-/// Returns the tool length that applies to the step. If the control guides the tool tip, the length is applied only in work space.
+/// Returns the tool length that the control applies in the step, mm. With tool centre point control the transform of the rotary axes
+/// contains the length.
 double ToolPath::length_on(const Step& step) const {
   const auto* const space = dynamic_cast<const FiveAxisTransform*>(step.from.space.get());
   if (space != nullptr && space->has_rotary()) {
@@ -74,8 +76,8 @@ double ToolPath::length_on(const Step& step) const {
   return chain_.tip(placement_.length).z;
 }
 
-/// Returns tip and direction of the tool. With rotary axes or a frame in space they come from work space or from the machine's file; else
-/// the position is the sum of origin and coordinates.
+/// Returns the tip and the direction of the tool. With rotary axes or a tilted frame they come from the transform in force or from the
+/// machine's kinematics. Otherwise the position of the tip is the sum of origin and coordinates.
 Pose ToolPath::pose_of(const Step& step, const Axes& work, double part) const {
   const WorkTransform* const space = step.from.space.get();
   if (space != nullptr && space->has_rotary()) {
@@ -100,7 +102,8 @@ Axes ToolPath::axes_at(const Step& step, double part) {
   return machine_along(step.roles, step.from, *step.motion(), work_at(step, part), part);
 }
 
-/// Halves the piece until a tool that moves straight and rotates evenly between the ends is correct in the middle of each piece.
+/// Halves the segment until, in the middle of each half, the true tip and direction agree with a tool that moves straight and rotates
+/// evenly between the ends.
 void ToolPath::divide(const Step& step, const PathSegment& p, int depth, std::vector<PathSegment>& pieces) const {
   const double part = (p.begins + p.ends) / 2;
   const Pose middle = pose_at(step, part);
@@ -116,8 +119,8 @@ void ToolPath::divide(const Step& step, const PathSegment& p, int depth, std::ve
   divide(step, {middle.tip, p.to, part, p.ends, middle.direction, p.to_direction}, depth + 1, pieces);
 }
 
-/// Divides a rapid motion with independent axes into pieces from corner to corner. Returns false if rotary axes turn tool or part: the path
-/// of such a motion is treated as a straight line.
+/// Divides a rapid motion of independent axes into segments from corner to corner. Returns false if rotary axes turn the tool or the part:
+/// the path of such a motion is treated as a straight line.
 bool ToolPath::bent(const Step& step, std::vector<PathSegment>& pieces) const {
   const auto leg = DogLeg::of(step, apart_);
   if (!leg || turns(step)) return false;

@@ -1,4 +1,5 @@
-// Converts positions in space to positions in a half plane through the part's axis. Used by session/cutting.
+// Converts positions in space to positions in a half plane that begins at the axis of rotation of the part. This file is used by
+// session/cutting.
 
 #include "session/cutting/turned_path.h"
 
@@ -8,13 +9,13 @@
 namespace kadr {
 namespace {
 
-constexpr double in_plane = 1e-6;  // mm; a path that leaves the plane by less counts as being in it
-constexpr int max_parts = 1000;    // greatest number of parts of a piece that passes the axis at a distance
+constexpr double in_plane = 1e-6;  // mm; a path that leaves the plane by less counts as a path in the plane
+constexpr int max_parts = 1000;    // greatest number of segments into which a path past the axis is divided
 
 Vec2 flat(Vec3 v) { return {v.x, v.y}; }
 
-/// Returns the number of chords that approximate a straight path past the axis. The radius along such a path is a hyperbola; the sagitta of
-/// a chord is length² / (8 · nearest radius).
+/// Returns the number of chords that approximate a straight path past the axis of rotation. The radius along the path is a hyperbola. The
+/// sagitta of a chord is length² / (8 · nearest radius).
 int parts_of(Vec2 from, Vec2 to, double chord) {
   const Vec2 way = to - from;
   const double far = length(way), nearest = far > 0 ? std::fabs(cross(from, to)) / far : 0;

@@ -1,8 +1,8 @@
 #pragma once
-// Converts the path of a turning tool into a half plane that contains the axis of the rotating part. Used by session/cutting.
+// Converts the path of a turning tool to a half plane that contains the axis of the rotating part. It is used by session/cutting.
 //
-// The part rotates about X0 Y0 of its work system. If the tool moves in the plane of X and Z (or of Y and Z), the coordinate in the half
-// plane is the signed radius X (or Y); outside that plane it is the distance from the axis.
+// The part rotates about X0 Y0 of its work coordinates. If the tool moves in the plane of X and Z (or of Y and Z), the coordinate in the
+// half plane is the signed radius X (or Y). Outside that plane the coordinate is the distance from the axis.
 
 #include <functional>
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace kadr {
 
-/// Returns the direction that is x in the half plane: X or Y, in whichever these pieces go farther from the axis of rotation.
+/// Returns the direction, X or Y, that becomes x in the half plane: the one along which the segments are farther from the axis of rotation.
 Vec2 radius_axis(const std::vector<PathSegment>& pieces, Vec3 zero);
 
-/// Calls the visitor with one or more straight pieces in the half plane: x is the signed radius, y is 0.
-///   chord  mm by which these pieces may deviate from the true distance to the axis
+/// Converts a segment and calls `visit` with one or more straight segments in the half plane: x is the signed radius, y is 0.
+///   chord  greatest deviation of the segments from the true distance to the axis, mm
 void each_turned(const PathSegment& piece, Vec3 zero, Vec2 axis, double chord, const std::function<void(Vec3 from, Vec3 to)>& visit);
 
 }  // namespace kadr

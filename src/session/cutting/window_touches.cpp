@@ -1,4 +1,4 @@
-// Merges the contacts found in the whole stock and in its window. Used by session/cutting/cutting.
+// Merges the contacts that were found in the whole stock and in its window. This file is used by session/cutting/cutting.
 
 #include "session/cutting/window_touches.h"
 
@@ -12,7 +12,7 @@ auto sweep_and_part(const Touch& t) { return std::tuple(t.sweep, t.part); }
 }  // namespace
 
 bool lies_within(const Box3& inner, const Box3& outer) {
-  constexpr double hair = 1e-3;  // mm; tolerance, since the boxes have single precision
+  constexpr double hair = 1e-3;  // tolerance of the comparison, mm; needed because the boxes have single precision
   for (int d = 0; d < 3; ++d)
     if (along(inner.least, d) < along(outer.least, d) - hair || along(inner.most, d) > along(outer.most, d) + hair) return false;
   return true;

@@ -1,5 +1,5 @@
-// Translates a user's request for milling into a job of path/pocketing. Used by session/milling, cli/options/mill_command,
-// view/page/page_making; tested by tests/mill.py, tests/serve_making.py.
+// Translates a user's request for milling into a job of path/pocketing. This file is used by session/milling, cli/options/mill_command and
+// view/page/page_making, and tested by tests/mill.py and tests/serve_making.py.
 
 #include "session/milling/mill_request.h"
 
@@ -17,10 +17,11 @@ using area::Direction;
 using area::Plunge;
 using area::Scheme;
 
-constexpr double max_stepover = 100;  // % of the tool diameter; with a larger stepover, ridges remain
+// greatest stepover in % of the tool diameter; a larger stepover would leave material between the passes
+constexpr double max_stepover = 100;
 
-/// A name in three forms: as a user writes it, as printed in the Russian source, and as printed but in lower case. Blanks inside a name
-/// are ignored.
+/// A name in three forms: as a user enters it, as the Russian source prints it, and as the source prints it but in lower case. Blanks
+/// inside a name are ignored.
 template <class T>
 struct Name {
   std::string_view name, source, small;
@@ -69,7 +70,7 @@ std::vector<std::string> names_of(const Name<T> (&names)[n]) {
   return list;
 }
 
-/// Finds a milling scheme by name. A printed name may end with a direction, which is stored too: СПИР ПЧС, АСПИР ЧС.
+/// Finds a milling scheme by its name. A name from the Russian source may end with a direction, which is stored too: СПИР ПЧС, АСПИР ЧС.
 bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>& direction) {
   if (find(schemes, text, scheme)) return true;
   for (const Name<Direction>& name : directions)
@@ -81,10 +82,10 @@ bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>
   return false;
 }
 
-/// Returns the direction of climb milling, with the uncut material on the right of the tool.
+/// Returns the direction in which the scheme climb-mills: the uncut material is on the right of the tool.
 Direction climb(Scheme scheme) { return scheme == Scheme::spiral_in ? Direction::cw : Direction::ccw; }
 
-/// Returns the stepover in mm.
+/// Returns the stepover that the request states, in mm.
 Result<double> step_of(const MillRequest& o) {
   const std::string text = !o.stepover.empty() ? o.stepover : o.task == "face" ? "70%" : "50%";
   char* end = nullptr;

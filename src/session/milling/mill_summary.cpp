@@ -1,4 +1,5 @@
-// Describes a milled area for the user. Used by cli/mill, view/page/page_making; tested by tests/mill.py, tests/serve_making.py.
+// Describes a milled area for the user. This file is used by cli/mill and view/page/page_making, and tested by tests/mill.py and
+// tests/serve_making.py.
 
 #include "session/milling/mill_summary.h"
 
@@ -19,7 +20,7 @@ std::string text_of_line(std::string_view text, std::uint32_t number) {
     if (end == std::string_view::npos) return {};
     text.remove_prefix(end + 1);
   }
-  constexpr std::size_t longest = 200;  // bytes of a line of the drawing that a message shows
+  constexpr std::size_t longest = 200;  // greatest number of bytes of a line of the drawing that a message shows
   std::string_view line = text.substr(0, std::min(text.find_first_of("\r\n"), longest));
   std::string utf8;
   return append_utf8(line, Encoding::utf8, utf8) ? utf8 : std::string();
@@ -61,8 +62,8 @@ class MillSummary {
   }
   void line(PlainText name, std::string value) { lines_.push_back({text(name), std::move(value)}); }
 
-  /// Returns the type of the area. INFERRED, as spec/correctors 4 only names the four types: a half-open area has all its walls in one
-  /// segment of the outline; a combined area has walls and open sides alternately, or islands in an outline with open sides.
+  /// Returns the type of the area. INFERRED, since spec/correctors 4 only names the four types: a half-open area has all its walls in one
+  /// connected part of the outline. In a combined area walls and open sides alternate, or an outline with open sides contains islands.
   std::string zone_text() const {
     std::size_t islands = 0, walls = 0, open = 0, stretches = 0;
     for (const area::Zone& zone : milled_.shape.zones) {
@@ -83,7 +84,7 @@ class MillSummary {
     return text(kind, islands);
   }
 
-  /// Describes how the tool enters uncut material. Straight plunges are mentioned, since not every tool can cut at its centre.
+  /// Describes how the tool enters uncut material. Straight plunges are mentioned separately, since not every tool can cut at its centre.
   std::string plunge_text(const area::Plunges& p) const {
     std::string ways;
     const auto add = [&](std::size_t count, TextId<1> way) {

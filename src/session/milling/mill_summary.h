@@ -1,6 +1,6 @@
 #pragma once
-// Describes a milled area for the user: the lines of the summary, the warning about plunge holes, the location of a fault in the drawing,
-// the picture.
+// Describes a milled area for the user: the lines of the summary, the warning about holes to be drilled, the location of a fault in the
+// drawing, and the picture.
 
 #include <string>
 #include <vector>
@@ -16,17 +16,17 @@ struct MillLine {
   std::string name, value;
 };
 
-/// Returns the lines of the summary: area, milling scheme, path, wall, remaining stock, plunges, holes to be drilled, the program.
+/// Returns the lines of the summary: area, milling scheme, path, wall, remaining stock, plunges, holes to be drilled, and the program.
 std::vector<MillLine> mill_summary(const Milled& milled, Lang lang);
 
-/// Returns a warning of holes that must be drilled first, or the tool breaks; empty if none are needed. The warning is displayed even if no
-/// summary is requested.
+/// Returns a warning about holes that must be drilled first, since the tool would break without them. The warning is empty if no holes are
+/// needed. It is displayed even if the user requests no summary.
 std::string warning_of_holes(const Milled& milled, Lang lang);
 
-/// Describes a fault, with its line of the drawing. `file`: name of the drawing.
+/// Describes a fault in a drawing, with the faulty line. `drawing`: text of the drawing. `file`: its name.
 AlarmReport report_of(const DrawingFault& fault, std::string_view drawing, const std::string& file);
 
-/// Creates the picture. It refers to `milled`, which must outlive it.
+/// Creates the picture. The picture refers to `milled`, so `milled` must outlive the picture.
 MillPicture mill_picture(const Milled& milled, const ControlDef& def, const std::string& title, Lang lang);
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// Converts a drawing to a program. Used by cli/mill, view/page/page_making; tested by tests/mill.py, tests/session/milling_test.cpp.
+// Converts a drawing to a milling program. This file is used by cli/mill and view/page/page_making, and tested by tests/mill.py and
+// tests/session/milling_test.cpp.
 
 #include "session/milling/milling.h"
 
@@ -49,7 +50,8 @@ Technology technology_of(const MillRequest& request) {
   return technology;
 }
 
-/// Writes the program. Then the control's interpreter reads the program back, and the resulting path is verified like the original one.
+/// Creates the program. Then the control's interpreter executes the program, and the resulting path is verified in the same way as the
+/// original path.
 Result<PartProgram> written_program(const MillRequest& request, const ControlDef& def, const area::Verified& path, const MillShape& shape,
                                     const area::Job& job) {
   auto program = part_program(def, path.path.moves, technology_of(request));

@@ -1,6 +1,6 @@
 #pragma once
-// Converts a drawing to a program: contour → path, which is verified → program, which the control reads back and which is verified again
-// (docs/commands/mill.md).
+// Converts a drawing to a program in three steps (docs/commands/mill.md): the contour is converted to a path, which is verified. The path
+// is converted to a program. The control executes the program, and the resulting path is verified again.
 
 #include <string_view>
 #include <tl/expected.hpp>
@@ -14,7 +14,7 @@
 
 namespace kadr {
 
-/// What is to be milled: areas, or lines that the tool follows.
+/// The shape that is milled: either areas, or lines that the tool follows.
 struct MillShape {
   std::vector<area::Zone> zones;
   std::vector<Edges> lines;
@@ -27,11 +27,11 @@ struct Milled {
   PartProgram program;
 };
 
-/// Performs all steps. `watch`: shows the progress to the caller, which may interrupt the work.
-///   drawing  text of the drawing: DXF, SVG or plain text, detected by content
+/// Converts a drawing to a verified program. `watch`: shows the progress to the caller, who may interrupt the work.
+///   drawing  text of the drawing: DXF, SVG or plain text, which is recognised by its content
 ///   returns  a fault with its line of the drawing; line 0: the fault concerns the job as a whole
 ///   alarms   those of mill_job(), read_drawing(), area::chained(), area::zones_of(), area::verified_path(), part_program(), same_moves(),
-///            interrupted
+///            and interrupted
 tl::expected<Milled, DrawingFault> milled(const MillRequest& request, std::string_view drawing, const ControlDef& def,
                                           const area::Watch& watch = {});
 

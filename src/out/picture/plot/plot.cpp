@@ -1,4 +1,4 @@
-// Plot: draws the path as a picture, SVG or PNG, in an isometric view and three planes. Used by cli and out; tested by
+// Plot: draws the tool path as a picture, SVG or PNG, in an isometric view and in three planes. It is used by cli and out, and tested by
 // tests/out/plot_test.cpp.
 
 #include "out/picture/plot/plot.h"
@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_zeros = 12;
-constexpr double chord = 0.02;  // mm: greatest distance between an arc and the lines that draw it
+constexpr double chord = 0.02;  // greatest distance between an arc and the straight lines that approximate it, mm
 constexpr int max_arc_pieces = 720;
 
 ProgramLine line_of(const Origin& origin) { return {origin.line, origin.file}; }
@@ -23,7 +23,8 @@ Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
   return {chain.tip(extents.least) + shift, chain.tip(extents.most) + shift, false};
 }
 
-/// True if the box of the step's curve is in a programmable frame, whose axes differ from those of the picture.
+/// True if the curve of the step is described in a programmable frame. The axes of the frame differ from those of the picture, so the box
+/// of the curve cannot be used.
 bool has_frame(const Step& step) { return step.from.space && step.from.space->has_frame(); }
 
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
@@ -50,7 +51,7 @@ void Plot::take_frame(const FrameChange& frame) {
   shift_ = origin - first_origin_;
 }
 
-/// Makes the work system of the first cut the coordinate system of the picture, and moves everything drawn before into that system.
+/// Selects the work coordinates of the first cut as the coordinates of the picture, and converts everything drawn before to them.
 void Plot::take_reference() {
   path_.move_all(-1.0 * shift_);
   if (shaded_) shaded_->move_all(-1.0 * shift_);
@@ -59,7 +60,7 @@ void Plot::take_reference() {
   shift_ = {};
 }
 
-/// Marks the origin of the present work system; called only for systems in which motions took place.
+/// Marks the origin of the present work coordinates. This function is called only for work coordinates in which the program has moved.
 void Plot::mark_zero() {
   const auto same = [&](Vec3 zero) { return length(zero - shift_) < tol::same_point; };
   if (zeros_.size() < max_zeros && std::none_of(zeros_.begin(), zeros_.end(), same)) zeros_.push_back(shift_);
@@ -101,7 +102,7 @@ void Plot::draw(PlotPath& path, const Step& step, Vec3 shift, Stroke stroke, Pro
   path.go(chain_.tip(step.from.space.get(), motion.to) + shift, stroke, 0, line);
 }
 
-/// Adds a motion of the programmed contour at feed. The motions on which cutter compensation starts and ends are not drawn.
+/// Adds a motion of the programmed contour at feed. Motions on which cutter compensation starts or ends are omitted.
 void Plot::follow_programmed(const Action& action) {
   if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
     programmed_origin_ = work_origin_of(chain_, frame->placement);
@@ -130,7 +131,7 @@ void Plot::stop(ProgramLine line) {
   if (line.line != 0) files_.insert(line.file);
 }
 
-/// Returns the symbols in drawing order: a stop comes last, on top of all others.
+/// Returns the symbols in the order of drawing. A stop comes last, so that no other symbol covers it.
 std::vector<PlotMark> Plot::marks() const {
   std::vector<PlotMark> marks;
   const Vec3 here = here_ + shift_;

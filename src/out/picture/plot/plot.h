@@ -1,5 +1,5 @@
 #pragma once
-// Plot: draws the tool path as a picture, SVG or PNG: an isometric view and the three planes XY, XZ, YZ.
+// Plot: draws the tool path as a picture, SVG or PNG. The picture contains an isometric view and the three planes XY, XZ, YZ.
 
 #include <map>
 #include <set>
@@ -17,9 +17,9 @@ struct PlotTitle {
   std::string file;
   std::string control;
   Lang lang = Lang::en;
-  std::string extents{};                         // text: the range of each axis while cutting, as in the summary
-  LengthUnit unit = LengthUnit::mm;              // the unit in which lengths are printed
-  std::map<std::uint16_t, std::string> files{};  // names of the files that program lines are in, by Origin::file
+  std::string extents{};                         // text that states the range of each axis while cutting, as in the summary
+  LengthUnit unit = LengthUnit::mm;              // unit in which the picture states lengths
+  std::map<std::uint16_t, std::string> files{};  // names of the files that contain the program lines, by Origin::file
 
   std::string_view file_of(const ProgramLine& line) const {
     const auto found = files.find(line.file);
@@ -27,44 +27,45 @@ struct PlotTitle {
   }
 };
 
-/// A symbol at a point of the path (start, end, stop).
+/// A symbol at a point of the path: its start, its end or a stop.
 struct PlotMark {
   enum class What : std::uint8_t { start, end, stop } what = What::start;
   Vec3 at;
   ProgramLine line;
 };
 
-/// Consumes Steps in order. The picture uses the coordinates of the work system in which the first cut is made. Motions in other work
-/// systems are drawn at their true position on the machine.
+/// Processes steps in order. The picture shows the work coordinates in which the first cut is made. Motions in other work coordinates are
+/// drawn at their true position on the machine.
 class Plot {
  public:
   Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start);
 
   void consume(const Step& step);
 
-  /// Adds an action as programmed, before cutter radius compensation: the programmed contour is drawn in addition to the tool path. The
-  /// machine does not execute this action; Plot tracks the programmed position separately from the machine's.
+  /// Adds an action of the programmed contour, without cutter radius compensation. The contour is drawn in addition to the tool path. The
+  /// machine does not execute this action, so Plot stores the programmed position separately from that of the machine.
   void follow_programmed(const Action& action);
 
-  /// Marks the position where an alarm in that line has stopped the program; line 0: the alarm arose in another channel.
+  /// Marks the position at which an alarm in this program line has stopped the program. Line 0 means that the alarm occurred in another
+  /// channel.
   void stop(ProgramLine line);
-  /// Numbers (Origin::file) of the files that contain the program lines of the picture.
+  /// Returns the numbers (Origin::file) of the files that contain the program lines of the picture.
   const std::set<std::uint16_t>& files() const { return files_; }
 
-  /// Colours the motions that follow by speed or by limit. A motion is drawn when its cells (short parts of the planner's plan) have
-  /// arrived.
+  /// Colours the motions that follow by speed or by limit. From now on a motion is drawn only when its cells (short parts of the planner's
+  /// plan) have arrived.
   void colour_by(PlotColour by) { shaded_.emplace(roles_, by), colour_ = by; }
   ShadedMotions& shaded() { return *shaded_; }
   void take(const TimedCells& cells, const MotionLimits& limits) { shaded_->take(cells, limits, path_); }
-  /// Draws the motions that are still waiting; call it after the last cell.
+  /// Draws the motions whose cells have not arrived completely. Call this function after the last cell.
   void finish_cells() { shaded_->finish(path_); }
 
-  /// Draws the picture; the ending of the file's name (.svg, .png) selects the format.
-  ///   returns  an error sentence
+  /// Draws the picture. The ending of the file's name (.svg, .png) selects the format.
+  ///   returns  an error sentence if the picture cannot be drawn
   tl::expected<void, std::string> write(const ResultFile& file, const PlotTitle& title) const;
 
   const PlotPath& path() const { return path_; }
-  /// Origins of all work systems in which motions took place, in the picture's coordinates.
+  /// Returns the origins of all work coordinates in which the program has moved, in the coordinates of the picture, mm.
   const std::vector<Vec3>& zeros() const { return zeros_; }
 
  private:
@@ -77,13 +78,13 @@ class Plot {
 
   AxisRoles roles_;
   Chain chain_;
-  Vec3 here_;  // end of the path so far
+  Vec3 here_;  // end of the path that has been drawn so far
   PlotPath path_;
   ToolDirections directions_;
   std::optional<ShadedMotions> shaded_;
   PlotColour colour_ = PlotColour::stroke;
   Vec3 first_origin_;
-  Vec3 shift_;  // origin of the present work system − origin of the first one
+  Vec3 shift_;  // origin of the present work coordinates minus origin of the first ones, mm
   bool origin_known_ = false;
   bool started_ = false;
   std::vector<Vec3> zeros_;
@@ -91,9 +92,9 @@ class Plot {
   ProgramLine last_line_;
   std::optional<ProgramLine> stop_;
   std::set<std::uint16_t> files_;
-  ToolPosition programmed_;  // position along the programmed contour, without compensation
+  ToolPosition programmed_;  // position on the programmed contour, without cutter compensation
   Vec3 programmed_origin_;
-  PlotPath contour_;  // programmed contour, in machine coordinates
+  PlotPath contour_;  // the programmed contour, in machine coordinates
   bool has_contour_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Draws the numbers of the differences between two programs in one view. Used by out/picture/plot/plot_view.
+// Draws the numbers of the differences between two programs into one view. This file is used by out/picture/plot/plot_view.
 
 #include "out/picture/plot/plot_differences.h"
 
@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr double label_size = 12, label_height = 17, label_room = 5, label_gap = 2;
-constexpr std::size_t max_labels = 100;  // greatest number of labels drawn in a view
+constexpr std::size_t max_labels = 100;  // greatest number of labels that are drawn in a view
 constexpr double place_radius = 2.2, stand_radius = 6;
 
 bool is_in(const Area& area, Vec2 p) { return p.x >= area.x && p.x <= area.right() && p.y >= area.y && p.y <= area.bottom(); }
@@ -23,8 +23,8 @@ bool overlap(const Area& a, const Area& b) {
   return a.x < b.right() + label_gap && b.x < a.right() + label_gap && a.y < b.bottom() + label_gap && b.y < a.bottom() + label_gap;
 }
 
-/// Returns a free area for a label of that width: next to its point if possible, else farther away, but never over the point of another
-/// difference.
+/// Returns a free area for a label with this width. The area is next to the point of the label if possible, otherwise farther away, but
+/// never over the point of another difference.
 std::optional<Area> free_label_area(Vec2 place, double width, const std::vector<Area>& taken, const Area& field) {
   constexpr std::array<Vec2, 8> ways = {{{1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1.3, 0}, {-1.3, 0}, {0, -1.3}, {0, 1.3}}};
   for (const double far : {18.0, 34.0, 52.0})

@@ -1,4 +1,4 @@
-// The legend of a plot, in two rows: line styles and symbols. Used by out/picture/plot/plot_page.
+// Draws the legend of a plot, in two rows: line styles and symbols. This file is used by out/picture/plot/plot_page.
 
 #include "out/picture/plot/plot_legend.h"
 
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// A legend row that also shows the strokes of a path.
+/// A row of the legend that can also contain samples of the strokes of a path.
 class Row : public LegendRow {
  public:
   using LegendRow::LegendRow;

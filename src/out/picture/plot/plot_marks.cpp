@@ -1,5 +1,5 @@
-// The symbols on a path: where it starts and ends, and where an alarm stopped it. Used by out/picture/plot/plot_legend and
-// out/picture/plot/plot_view.
+// Draws the symbols on a path: its start, its end, and the position where an alarm stopped the program. This file is used by
+// out/picture/plot/plot_legend and out/picture/plot/plot_view.
 
 #include "out/picture/plot/plot_marks.h"
 
@@ -22,7 +22,7 @@ void cross(Canvas& canvas, Vec2 at, double arm, Colour colour, double width) {
   canvas.line({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm}, colour, width);
 }
 
-/// Draws a triangle that points right.
+/// Draws a triangle whose tip points to the right.
 void triangle(Canvas& canvas, Vec2 at, double size, Colour colour) {
   canvas.pen(colour, 1);
   canvas.move_to({at.x + size, at.y});
@@ -31,7 +31,7 @@ void triangle(Canvas& canvas, Vec2 at, double size, Colour colour) {
   canvas.fill_path();
 }
 
-/// Moves a symbol away from the axis names in the upper left and lower right corners of the view.
+/// Moves a symbol away from the upper left and lower right corners of the view, which contain the names of the axes.
 Vec2 away_from_labels(Vec2 at, const Area& room) {
   constexpr double label = 16, step = 26;
   if (at.x < room.x + label && at.y < room.y + label) at.x += step;

@@ -1,4 +1,5 @@
-// The page of a plot: the title, a large isometric view on the left, the planes on the right, the legend below. Used by cli and out.
+// Draws the page of a plot: the title at the top, a large isometric view on the left, the planes on the right, the legend at the bottom.
+// This file is used by cli and out.
 
 #include "out/picture/plot/plot_page.h"
 
@@ -20,10 +21,11 @@ namespace {
 constexpr double page_width = 1600, page_height = 1082, margin = 28, gap = 26;
 constexpr double title_height = 70, legend_height = 56;
 constexpr double planes_width = 560;
-constexpr double near_reach = 0.25;  // far rapids are shown up to this distance, as a share of the cutting's size
-constexpr double least_size = 1;     // mm, least size of the box
-// All rapid motion is shown if the whole path is at most this many times as large as the cutting: otherwise the part would be drawn too
-// small.
+// greatest distance from the cutting at which far rapids are shown, as a fraction of the size of the cutting
+constexpr double near_reach = 0.25;
+constexpr double least_size = 1;  // least size of the box that a view shows, mm
+// Greatest ratio of the size of the whole path to that of the cutting at which all rapid motion is shown: in the isometric view, in a
+// plane. With a greater ratio the part would be drawn too small.
 constexpr double max_isometric = 4, most_plane = 1.5;
 
 std::string control_line(const PlotTitle& title) { return translated_in(title.lang, texts::picture::control, title.control); }
@@ -55,7 +57,7 @@ void draw_all(Canvas& canvas, const PlotScene& scene) {
     return;
   }
   draw_isometric(canvas, large, scene, whole);
-  // The three flat views share the height by need; the plan view gets most.
+  // The height is divided between the three flat views according to their needs. The plan view gets most of it.
   const double left = large.right() + gap;
   const double height = bottom - top + 24, plan = height * 0.46, side = (height - plan - 2 * 8) / 2;
   draw_plane(canvas, {left, top, planes_width, plan}, View::xy, scene, near);

@@ -1,5 +1,5 @@
-// PlotPath: the path as one polyline of limited size: when it is full, it is thinned with a growing tolerance. Used by
-// out/picture/plot/plot_shades.
+// PlotPath: stores a path as a polyline with a limited number of points. When the limit is reached, points are removed with an increasing
+// tolerance. It is used by out/picture/plot/plot_shades.
 
 #include "out/picture/plot/plot_path.h"
 
@@ -8,7 +8,8 @@
 namespace kadr {
 namespace {
 
-constexpr double first_tolerance_part = 1e-4;  // first tolerance as a share of the box size: less than a pixel in any picture
+// first tolerance as a fraction of the size of the path's box; it is less than a pixel in any picture
+constexpr double first_tolerance_part = 1e-4;
 
 double distance(Vec3 a, Vec3 b) { return length(a - b); }
 
@@ -33,7 +34,7 @@ void PlotPath::go(Vec3 to, Stroke stroke, float shade, ProgramLine line) {
     cutting_box_.take(to);
   }
   ++seen_;
-  // If the last point before a change of the stroke type were removed, the corner would be at a wrong position.
+  // The last point before a change of the stroke type is added, since without this point the corner would be at a wrong position.
   if (pending_ && stroke != last_.stroke && !points_.empty() && distance(points_.back().at, last_.at) > tolerance_ / 4) keep(last_);
   last_ = {to, stroke, shade, line};
   pending_ = tolerance_ > 0 && !points_.empty() && distance(points_.back().at, to) < tolerance_;
@@ -55,7 +56,7 @@ void PlotPath::thin() {
     for (std::size_t i = 1; i < points_.size(); ++i)
       if (distance(points_[i].at, points_[kept - 1].at) >= tolerance_) points_[kept++] = points_[i];
     points_.resize(kept);
-    if (tolerance_ == 0) points_.resize(1);  // the tool never moved
+    if (tolerance_ == 0) points_.resize(1);  // tolerance 0 here means that the tool has never moved, so one point remains
   }
 }
 

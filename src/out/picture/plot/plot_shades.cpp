@@ -1,5 +1,5 @@
-// Colours a path by its speed or by what limits the speed (kadr run --colour). Motions wait until the planner of least time has timed them;
-// then each is drawn in pieces, and each piece has its own shade. Used by out/picture/plot/plot.
+// Colours a path by its speed, or by what limits the speed (kadr run --colour). A motion waits until the least-time planner has computed
+// its times. Then the motion is drawn in segments, each with its own shade. This file is used by out/picture/plot/plot.
 
 #include "out/picture/plot/plot_shades.h"
 
@@ -13,12 +13,12 @@
 namespace kadr {
 namespace {
 
-constexpr double shade_chord = 0.02;  // mm: greatest distance between an arc and the lines that draw it
-constexpr float same_shade = 0.02F;   // relative difference below which shades count as equal
+constexpr double shade_chord = 0.02;  // greatest distance between an arc and the straight lines that approximate it, mm
+constexpr float same_shade = 0.02F;   // relative difference of shades below which they count as equal
 constexpr std::size_t speed_steps = 24;
-/// Colours from speed 0 to the greatest speed; slow motion has the most conspicuous colour.
+/// Colours from speed 0 to the greatest speed. The colour of slow motion is the most conspicuous one.
 constexpr std::array<unsigned, 6> speed_inks = {0xB2182B, 0xE08214, 0x9A9A1F, 0x1B9E77, 0x2166AC, 0x3B1F8F};
-/// Colours in the order of the enum Limit.
+/// Colours of the limits, in the order of the enum Limit.
 constexpr std::array<unsigned, limit_count> limit_inks = {0x009E73, 0xD55E00, 0xCC79A7, 0x6A3D9A, 0xE69F00, 0x0072B2, 0x000000};
 
 Colour between(unsigned a, unsigned b, double part) {
@@ -39,7 +39,7 @@ void ShadedMotions::move_all(Vec3 by) {
 }
 
 void ShadedMotions::take(const TimedCells& cells, const MotionLimits& limits, PlotPath& path) {
-  constexpr double finest = 16;  // number of pieces that draw a cell whose speed starts at 0
+  constexpr double finest = 16;  // number of segments into which a cell is divided if its speed starts at 0
   for (std::size_t k = 0; k < cells.laws.size(); ++k) {
     const TimeLaw& law = cells.laws[k];
     if (!(law.length > 0)) continue;
@@ -58,7 +58,7 @@ void ShadedMotions::take(const TimedCells& cells, const MotionLimits& limits, Pl
   }
 }
 
-/// Draws the first waiting motion up to `way` mm from its start. The rest is drawn when the cells of the next motion arrive.
+/// Draws the first waiting motion up to the distance `way` (mm) from its start. The rest is drawn when the cells of the next motion arrive.
 void ShadedMotions::draw_to(double way, float shade, PlotPath& path) {
   const Waiting& motion = waiting_.front();
   const double part = motion.way > 0 ? std::clamp(way / motion.way, drawn_, 1.0) : 1;
@@ -66,7 +66,7 @@ void ShadedMotions::draw_to(double way, float shade, PlotPath& path) {
   drawn_ = part;
 }
 
-/// Draws the rest of the first waiting motion, whose last cell may extend into the next motion.
+/// Draws the rest of the first waiting motion. Its last cell may extend into the next motion.
 void ShadedMotions::draw_rest(float shade, PlotPath& path) {
   if (drawn_ < 1) draw_part(waiting_.front(), drawn_, 1, shade, path);
   let_go(path);

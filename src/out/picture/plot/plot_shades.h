@@ -1,7 +1,7 @@
 #pragma once
-// Colours a path by its speed, or by what limits the speed (kadr run --colour). A motion waits until the planner of least time has sent
-// its cells (short timed segments); then it is drawn as pieces, each with its shade. The planner's window limits the number of waiting
-// motions.
+// Colours a path by its speed, or by what limits the speed (kadr run --colour). A motion waits until the least-time planner has sent its
+// cells (short timed segments). Then the motion is drawn in segments, each with its own shade. The number of waiting motions is limited,
+// since the planner looks ahead only a limited distance.
 
 #include <deque>
 
@@ -15,7 +15,7 @@ namespace kadr {
 
 struct Colour;
 
-/// What the colour of a path shows. PlotPoint::shade is the speed in mm/min for `speed`, and the number of the enum value Limit for
+/// The meaning of the colours of a path. PlotPoint::shade is the speed in mm/min for `speed`, and the number of the enum value Limit for
 /// `limit`.
 enum class PlotColour : std::uint8_t { stroke, speed, limit };
 
@@ -23,23 +23,23 @@ class ShadedMotions {
  public:
   ShadedMotions(const AxisRoles& roles, PlotColour by) : roles_(roles), chain_(roles), by_(by) {}
 
-  /// Adds a motion that begins at `from`. `shift` is the vector from work coordinates to the picture's coordinates.
+  /// Adds a motion that begins at `from`. `shift`: vector from the work coordinates to the coordinates of the picture, mm.
   void wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke, ProgramLine line);
-  /// Sets the number (CellSource::motion) of the motion added last, and the approximate total length of its cells, mm. Must be called
-  /// before those cells arrive.
+  /// Sets the number (CellSource::motion) of the motion added last, and the approximate total length of its cells, mm. This function must
+  /// be called before those cells arrive.
   void set_motion(std::uint64_t number, double way) {
     waiting_.back().number = number;
     waiting_.back().way = way;
   }
-  /// Moves the waiting motions, and their parts already drawn, by this vector in the picture.
+  /// Moves the waiting motions by this vector in the picture, including their parts that are already drawn.
   void move_all(Vec3 by);
 
   void take(const TimedCells& cells, const MotionLimits& limits, PlotPath& path);
-  /// Draws the rest of the waiting motions: rounding errors in the lengths of cells may leave a remainder.
+  /// Draws the rest of the waiting motions. Rounding errors in the lengths of the cells may have left a rest.
   void finish(PlotPath& path);
 
  private:
-  /// A waiting motion. It stores its start position, since the machine is elsewhere when the cells arrive.
+  /// A motion that waits for its cells. It stores its start position, since the machine is elsewhere when the cells arrive.
   struct Waiting {
     Motion motion;
     ToolPosition from;
@@ -59,25 +59,25 @@ class ShadedMotions {
   Chain chain_;
   PlotColour by_;
   std::deque<Waiting> waiting_;
-  double gone_ = 0;   // mm of the first waiting motion that the received cells cover
-  double drawn_ = 0;  // fraction of the first waiting motion that is drawn
-  PlotPoint held_{};  // last point, not added to the path yet, since the next point may replace it
+  double gone_ = 0;   // length of the first waiting motion that the received cells cover, mm
+  double drawn_ = 0;  // fraction (0 to 1) of the first waiting motion that is drawn
+  PlotPoint held_{};  // the last point, which is not added to the path yet, since the next point may replace it
   bool holds_ = false;
 };
 
-/// Maps shades to colours, in the intervals of a scale.
+/// Converts shades to colours. The scale is divided into intervals of equal colour.
 class ShadeScale {
  public:
-  /// Builds a scale that covers the cutting motions of the path.
+  /// Creates a scale for the shades of the path's cutting motions.
   ShadeScale(PlotColour by, const PlotPath& path);
 
   PlotColour by() const { return by_; }
   std::size_t steps() const;
   std::size_t step_of(float shade) const;
   Colour ink(std::size_t step) const;
-  /// True if some stroke of the path has the colour of this interval.
+  /// True if some stroke of the path has the colour of this interval of the scale.
   bool occurs(std::size_t step) const { return (occurs_ >> step & 1U) != 0; }
-  /// The greatest speed on the scale, mm/min.
+  /// Returns the greatest speed on the scale, mm/min.
   double top() const { return top_; }
 
  private:

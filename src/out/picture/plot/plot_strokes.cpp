@@ -1,4 +1,4 @@
-// Draws the path itself in one view. Used by out/picture/plot/plot_page and out/picture/plot/plot_view.
+// Draws the strokes of the path in one view. This file is used by out/picture/plot/plot_page and out/picture/plot/plot_view.
 
 #include "out/picture/plot/plot_strokes.h"
 
@@ -12,18 +12,19 @@
 namespace kadr {
 namespace {
 
-constexpr double same_pixel = 0.45;   // units of the page: points closer than this are on the same pixel
-constexpr int strokes_at_once = 400;  // segments per Cairo path: Cairo's time grows faster than the length of the path
+constexpr double same_pixel = 0.45;  // units of the page: a point closer than this to the previous point is on the same pixel
+// greatest number of segments in one path of Cairo, whose time grows faster than the length of the path
+constexpr int strokes_at_once = 400;
 constexpr double plunge_radius = 3.2;
-constexpr double beyond = 20'000;  // units of the page: coordinates farther out overflow Cairo's numbers
+constexpr double beyond = 20'000;  // units of the page: coordinates beyond this value overflow the numbers of Cairo
 
 Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp(p.y, -beyond, beyond)}; }
 
-/// Shortens a line to its part within the limits of the page. Returns false if the whole line is outside.
+/// Shortens a line to the part within the limits of the page. Returns false if the whole line is outside.
 bool cut_to_reach(Vec2& from, Vec2& to) {
   double first = 0, last = 1;
   const Vec2 start = from, way = to - from;
-  const auto keep = [&](double at, double step) {  // limits t so that at + t·step ≤ beyond
+  const auto keep = [&](double at, double step) {  // limits the fraction t of the line so that at + t·step ≤ beyond
     if (step > 0) last = std::min(last, (beyond - at) / step);
     else if (step < 0) first = std::max(first, (beyond - at) / step);
     else if (at > beyond) last = -1;
@@ -39,7 +40,7 @@ bool is_line(Stroke point, Stroke wanted) {
   return point == wanted || (wanted == Stroke::feed && (point == Stroke::plunge || point == Stroke::probe));
 }
 
-/// Sets the program lines of the strokes while a view is drawn.
+/// Sets the program lines of the strokes that are drawn in a view.
 class LineTags {
  public:
   ///   names  true: the first stroke of each program line gets the id by which a viewer finds that line
@@ -56,13 +57,13 @@ class LineTags {
   Canvas& canvas_;
   const PlotTitle& title_;
   bool tells_, names_;
-  std::unordered_set<std::uint64_t> named_;  // at most max_line_strokes
+  std::unordered_set<std::uint64_t> named_;  // program lines whose first stroke already has an id; at most max_line_strokes
 };
 
-/// Draws a polyline and leaves out points that would not be visible.
+/// Draws a polyline. Points that would not be visible are omitted.
 class Pencil {
  public:
-  ///   may_name  true: the strokes belong to the path itself, and may get the id of their program line
+  ///   may_name  true: the strokes belong to the path itself, so they may get the id of their program line
   Pencil(Canvas& canvas, LineTags& tags, bool may_name) : canvas_(canvas), tags_(tags), may_name_(may_name) {}
   void segment(Vec2 from, Vec2 to, ProgramLine line) {
     const Vec2 start = from;
@@ -101,7 +102,7 @@ class Pencil {
   int drawn_ = 0;
 };
 
-/// Draws the segments for which `is_wanted` is true, with the present pen.
+/// Draws with the present pen the segments for which `is_wanted` returns true.
 template <class Wanted>
 void draw_pieces(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, bool may_name,
                  const Wanted& is_wanted) {
@@ -140,7 +141,7 @@ void draw_lines(Canvas& canvas, LineTags& tags, View view, const ViewScale& scal
   canvas.kind("");
 }
 
-/// Draws all cutting motions, one interval of the colour scale after the other.
+/// Draws all cutting motions, one interval of the colour scale after another.
 void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   constexpr double width = 1.8;
   canvas.kind("shade");
@@ -153,7 +154,8 @@ void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& sca
   canvas.kind("");
 }
 
-/// Draws the paths of two programs, b over a. Where the two coincide, the wider line of a is visible on both sides of the line of b.
+/// Draws the path of program a, and over it that of program b. Where the two paths coincide, the wider line of a is visible on both sides
+/// of the line of b.
 void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   const PlotDifferences& d = *scene.differences;
   struct Way {
@@ -179,7 +181,8 @@ void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale
   canvas.kind("");
 }
 
-/// Draws a ring for each plunge, since a plunge is only a point when seen from above. Draws none if there are too many to distinguish.
+/// Draws a ring for each plunge, since a plunge seen from above is only a point. No rings are drawn if there are too many of them to
+/// distinguish.
 void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) {
   const StrokeStyle style = style_of(Stroke::plunge, 0);
   canvas.kind(name_of(Stroke::plunge));

@@ -1,4 +1,4 @@
-// One view of a plot: a projection of the path into an area of the page, with its axes. Used by the rest of out.
+// Draws one view of a plot: a projection of the path into an area of the page, with its axes. This file is used by the rest of out.
 
 #include "out/picture/plot/plot_view.h"
 
@@ -18,7 +18,7 @@ namespace kadr {
 namespace {
 
 constexpr Colour grid_zero = colour(0xB4C0CC);
-constexpr double tick_spacing = 58;  // least distance of grid lines, in units of the page
+constexpr double tick_spacing = 58;  // least distance between grid lines, units of the page
 constexpr double iso_cos = 0.8660254037844386, iso_sin = 0.5;
 
 struct PlaneNames {
@@ -38,7 +38,7 @@ std::array<Vec3, 8> corners(const Box& box) {
   return all;
 }
 
-/// Draws light grid lines at round values, with their numbers on the left and below.
+/// Draws light grid lines at round values. The values are printed on the left and below.
 void draw_grid(Canvas& canvas, const Area& area, View view, const ViewScale& scale, LengthUnit unit) {
   const double step = mm_of(unit) * round_step(tick_spacing / scale.per_mm / mm_of(unit));
   const TextStyle number{11, faint_ink, Align::centre, false};
@@ -64,21 +64,21 @@ void draw_origins(Canvas& canvas, View view, const ViewScale& scale, const std::
   canvas.kind("");
 }
 
-/// Draws the bottom face of the box with a grid, and the edges of the box behind the path.
+/// Draws the bottom face of the box with a grid, and those edges of the box that are farther from the viewer than the path.
 void draw_floor(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUnit unit) {
   const auto page = [&](double x, double y, double z) { return scale.page(projected(View::isometric, {x, y, z})); };
   const Vec3 a = box.least, b = box.most;
   const double step = mm_of(unit) * round_step(tick_spacing / 1.6 / scale.per_mm / mm_of(unit));
   for (double x = std::ceil(a.x / step) * step; x <= b.x; x += step) canvas.line(page(x, a.y, a.z), page(x, b.y, a.z), grid, 1);
   for (double y = std::ceil(a.y / step) * step; y <= b.y; y += step) canvas.line(page(a.x, y, a.z), page(b.x, y, a.z), grid, 1);
-  // The front edges of the box would cross the path and are left out.
+  // The front edges of the box are omitted, since they would cross the path.
   const std::array<Vec3, 8> all = corners(box);
   constexpr std::array<std::array<std::size_t, 2>, 9> edges = {{{0, 1}, {0, 2}, {1, 3}, {2, 3}, {1, 5}, {2, 6}, {3, 7}, {5, 7}, {6, 7}}};
   for (const auto [from, to] : edges)
     canvas.line(scale.page(projected(View::isometric, all[from])), scale.page(projected(View::isometric, all[to])), edge, 1);
 }
 
-/// Writes the dimensions of the box along three of its edges.
+/// Prints the dimensions of the box along three of its edges.
 void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUnit unit) {
   const auto page = [&](double x, double y, double z) { return scale.page(projected(View::isometric, {x, y, z})); };
   const Vec3 a = box.least, b = box.most;
@@ -90,13 +90,14 @@ void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUn
   canvas.text({x.x + 12, x.y + 22}, across, {13, faint_ink, Align::left, false});
   canvas.text({y.x - 12, y.y + 22}, range('Y', a.y, b.y), {13, faint_ink, Align::right, false});
   Vec2 z = page(b.x, a.y, a.z) + Vec2{8, 22};
-  constexpr double row = 18;  // height of a line of text
+  constexpr double row = 18;  // height of a line of text, units of the page
   const bool overlap = std::fabs(z.y - x.y - 22) < row && z.x - text_width(up, 13) / 2 < x.x + 12 + text_width(across, 13);
-  if (overlap) z = {x.x + 12 + text_width(up, 13) / 2, x.y + 22 + row};  // the box is narrow: the range of Z goes below
+  // the box is too narrow for all texts, so the range of Z is printed below
+  if (overlap) z = {x.x + 12 + text_width(up, 13) / 2, x.y + 22 + row};
   canvas.text(z, up, {13, faint_ink, Align::centre, false});
 }
 
-/// Draws the directions of the axes, in the lower left corner.
+/// Draws three arrows with the directions of the axes in the lower left corner.
 void draw_triad(Canvas& canvas, Vec2 at) {
   constexpr double size = 42;
   const auto arm = [&](Vec3 axis, const char* name) {
@@ -118,7 +119,7 @@ void draw_scale_bar(Canvas& canvas, Vec2 at, const ViewScale& scale, LengthUnit 
   canvas.text({at.x - width / 2, at.y - 7}, number_text(size, 4) + " " + unit_name(unit, lang), {12, ink, Align::centre, false});
 }
 
-/// Draws lines from the tool tip along the tool axis, long enough to be visible on a part of this size.
+/// Draws lines from the tool tip along the tool axis. They are long enough to be visible on a part of this size.
 void draw_tools(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene, const Box& room) {
   if (scene.tools.empty()) return;
   constexpr double part = 0.12, width = 0.7;
@@ -130,8 +131,8 @@ void draw_tools(Canvas& canvas, View view, const ViewScale& scale, const PlotSce
   canvas.end();
 }
 
-/// Returns the rectangle that the isometric view must show: it contains the box of the cutting, and the path as far as it is in the whole
-/// box. The corners of the whole box are mostly empty, and need not be shown.
+/// Returns the rectangle that the isometric view must show. It contains the box of the cutting, and the path as far as the path is in the
+/// whole box. The corners of the whole box are mostly empty, so they need not be shown.
 FlatBox seen_of(const PlotScene& scene, const Box& room, const Box& box) {
   FlatBox flat;
   for (const Vec3 corner : corners(room)) flat.take(projected(View::isometric, corner));
@@ -226,7 +227,7 @@ void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, co
   canvas.end();
 }
 
-/// Okabe and Ito's colours, which colour-blind people can distinguish; rapid motion is also dashed.
+/// Colours from the palette of Okabe and Ito, which colour-blind people can distinguish. Rapid motion is dashed in addition.
 StrokeStyle style_of(Stroke stroke, std::size_t points) {
   const double fine = std::clamp(1.7 - 0.35 * std::log10(std::max(1.0, double(points) / 300)), 0.6, 1.7);
   switch (stroke) {

@@ -1,4 +1,5 @@
-// Normalises a code that a user types: Cyrillic or Latin letters, capital or small, with leading zeros. Used by cli and out.
+// Normalises a code that a user types: Cyrillic or Latin, capital or small letters, with or without leading zeros. This file is used by cli
+// and out.
 
 #include "out/text/explain/asked_code.h"
 
@@ -20,7 +21,7 @@ struct Lookalike {
   std::string_view cyrillic;
   char latin;
 };
-// Cyrillic capital and small letters with their Latin lookalikes. У also stands for Y, as on a Soviet keyboard.
+// Cyrillic capital and small letters, each with the Latin letter that looks alike. У also stands for Y, as on a Soviet keyboard.
 constexpr std::array<Lookalike, 24> lookalikes = {{{"А", 'A'}, {"В", 'B'}, {"С", 'C'}, {"Е", 'E'}, {"Н", 'H'}, {"К", 'K'},
                                                    {"М", 'M'}, {"О", 'O'}, {"Р", 'P'}, {"Т", 'T'}, {"Х", 'X'}, {"У", 'Y'},
                                                    {"а", 'A'}, {"в", 'B'}, {"с", 'C'}, {"е", 'E'}, {"н", 'H'}, {"к", 'K'},
@@ -39,7 +40,7 @@ std::string latin_capitals(std::string_view what) {
   return text;
 }
 
-/// Returns the number after a single letter: "G5.1" → 5.1; nullopt if the text has another form.
+/// Returns the number after a single letter, e.g. 5.1 for "G5.1"; nullopt if the text has another form.
 std::optional<double> number_of(const std::string& code) {
   if (code.size() < 2 || !is_capital(code[0]) || code.find_first_not_of("0123456789.", 1) != std::string::npos) return std::nullopt;
   char* end = nullptr;
@@ -48,7 +49,8 @@ std::optional<double> number_of(const std::string& code) {
   return number;
 }
 
-/// Returns the names with the letter of the code, sorted by how near their number is.
+/// Returns those names of the control that begin with the letter of the code. They are sorted by the distance of their number from that of
+/// the code.
 std::vector<std::string> nearest_numbers(const ControlDef& def, const std::string& code, double number) {
   std::vector<std::pair<double, std::string>> found;
   const auto offer = [&](const std::string& name) {
@@ -59,7 +61,7 @@ std::vector<std::string> nearest_numbers(const ControlDef& def, const std::strin
   for (const CycleRow& row : def.cycles) offer(row.name);
   for (const ParameterRow& row : def.parameters) offer("N" + row.name);
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  constexpr double farthest = 10;  // greatest difference of numbers: a name farther away is of no help
+  constexpr double farthest = 10;  // greatest difference of numbers at which a name is proposed; a more distant name does not help the user
   std::vector<std::string> names;
   for (const auto& [distance, name] : found)
     if (distance <= farthest && names.size() < 3 && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -72,7 +74,7 @@ std::string code_asked(std::string_view what) {
   std::string code = latin_capitals(what);
   if (code.empty() || !is_capital(code[0])) return code;
   const std::size_t digits = code.find_first_not_of('0', 1);
-  if (!number_of(code) || code[0] == 'N') return code;  // N0107 is a parameter, whose digits stay
+  if (!number_of(code) || code[0] == 'N') return code;  // N0107 is a parameter, whose leading zeros are significant
   code.erase(1, (digits == std::string::npos || code[digits] == '.' ? std::min(digits, code.size()) - 1 : digits) - 1);
   if (code.find('.') == std::string::npos) return code;
   code.erase(code.find_last_not_of('0') + 1);

@@ -1,5 +1,5 @@
-// Describes a control's rows for people: one row (kadr explain), or all of them as the page docs/controls/ID.md. Used by cli/explain and
-// out/text/explain/control_page; tested by tests/out/code_page_test.cpp.
+// Describes the table rows of a control for people: one row (kadr explain), or all rows as the page docs/controls/ID.md. This file is used
+// by cli/explain and out/text/explain/control_page, and tested by tests/out/code_page_test.cpp.
 
 #include "out/text/explain/code_page.h"
 
@@ -27,7 +27,7 @@ std::string letters_of(std::uint64_t bits, std::string text = {}) {
   return text;
 }
 
-/// True if the control is delivered with Kadr. For such a control, its user need not know which other control's file it extends.
+/// True if the control is delivered with Kadr. Then the text does not mention which other control's file the control extends.
 bool is_built_in(const ControlDef& def) {
   const std::vector<std::string> all = built_in_controls();
   return std::find(all.begin(), all.end(), def.id) != all.end();
@@ -44,7 +44,7 @@ std::string initial_mark(const ControlDef& def, const CodeRow& row) {
   return def.codes[static_cast<std::size_t>(def.groups[row.group].power_on)].code == row.code ? "*" : "";
 }
 
-/// Returns the digits of an address as the manual writes them: "+043", "02", "free".
+/// Returns the format of an address in the notation of the manual: "+043", "02", "free".
 std::string format_of(const ControlDef& def, const AddressRow& row) {
   const WordFormat& w = def.grammar.word(row.letter);
   if (w.whole_digits == 0) return w.sign ? "+free" : "free";
@@ -58,7 +58,8 @@ std::string format_of(const ControlDef& def, const AddressRow& row) {
 
 namespace {
 
-/// Returns the manual section of a row; empty if the row comes from the control that this one extends, which has its own manual.
+/// Returns the section of the manual from which a row comes. Returns an empty text if the row comes from the control that this control
+/// extends, since that control has its own manual.
 std::string source_text(const ControlDef& def, const std::string& section, Lang lang) {
   return section.empty() ? std::string() : fmt::format("  {}\n", translated_in(lang, texts::explain_code::source, def.spec, section));
 }
@@ -99,7 +100,7 @@ std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
   return text + source_text(def, row.manual, lang);
 }
 
-/// Returns the text of the alarm; in both languages if the control has its own wording, which the operator reads on the screen.
+/// Returns the text of the alarm. If the control has its own text, which the operator reads on its screen, both languages are returned.
 std::string alarm_text_of(const ControlDef& def, const AlarmTexts& texts, AlarmId id, Lang lang) {
   const std::string& number = texts.number(id);
   std::string text = fmt::format("{}{}: {}\n", number.empty() ? "" : number + " ", name_of(id), texts.pattern(id, lang));
@@ -117,7 +118,7 @@ std::optional<std::string> numbered_alarms(const ControlDef& def, const AlarmTex
   return text;
 }
 
-/// Finds alarms by the number as the control prints it: PS0114, error:33, ALARM:2.
+/// Finds alarms by the number with a prefix that the control displays: PS0114, error:33, ALARM:2.
 std::optional<std::string> prefixed_alarms(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
   const std::size_t digits = what.find_first_of("0123456789");
   if (digits == std::string::npos || digits < 2 || what.find_first_not_of("0123456789", digits) != std::string::npos) return std::nullopt;
@@ -133,7 +134,7 @@ std::optional<std::string> prefixed_alarms(const ControlDef& def, const AlarmTex
   return text;
 }
 
-/// Returns the text in small letters, Latin and Russian (UTF-8: А to Я are D0 90 to D0 AF).
+/// Returns the text in small letters, both Latin and Russian (UTF-8: А to Я are D0 90 to D0 AF).
 std::string small_letters(std::string_view text) {
   std::string small(text);
   for (std::size_t i = 0; i < small.size(); ++i) {
@@ -146,13 +147,13 @@ std::string small_letters(std::string_view text) {
   return small;
 }
 
-/// Words that manuals use for the same thing: a search for one of them also finds the others.
+/// Words that manuals use for the same thing. A search for one of the words also finds the others.
 constexpr std::string_view same_words[][3] = {
     {"cutter", "radius", "contour"}, {"canned", "drilling", "cycle"}, {"fixture", "work zero", "work system"},
     {"home", "reference", ""},       {"pause", "dwell", ""},          {"фреза", "радиус", "эквидистант"},
     {"выдержка", "пауза", ""},       {"сверление", "цикл", ""}};
 
-/// Returns true if the text contains the word or a synonym; both are in small letters.
+/// True if the text contains the word or a synonym of it. Both arguments must be in small letters.
 bool has_word(const std::string& text, const std::string& word) {
   if (text.find(word) != std::string::npos) return true;
   for (const auto& group : same_words)
@@ -175,7 +176,7 @@ bool has_words(std::string_view text, std::string_view words) {
 }  // namespace
 
 std::optional<std::string> explain_words(const ControlDef& def, const AlarmTexts& texts, const std::string& words, Lang lang) {
-  constexpr std::size_t least = 3;  // least length of a searched word, bytes; a single letter is an address
+  constexpr std::size_t least = 3;  // least length of a word for a search, bytes; a shorter text is treated as an address
   if (words.size() < least || words.find_first_not_of(' ') == std::string::npos) return std::nullopt;
   std::string found;
   const auto offer = [&](const std::string& name, const std::string& en, const std::string& ru) {
@@ -197,7 +198,8 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   const std::string code = code_asked(what);
   if (const AlarmId id = alarm_named(what); id != no_alarm) return alarm_text_of(def, texts, id, lang);
   if (what.empty()) return std::nullopt;
-  if (what.find_first_not_of("0123456789") == std::string::npos) {  // the number may be of an alarm and of a parameter: explains both
+  // the number may be that of an alarm and that of a parameter, so both are explained
+  if (what.find_first_not_of("0123456789") == std::string::npos) {
     const auto alarms = numbered_alarms(def, texts, what, lang);
     const auto parameter = explain_parameter(def, code, lang);
     return alarms && parameter ? *alarms + *parameter : alarms ? alarms : parameter;

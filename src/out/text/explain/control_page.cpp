@@ -1,4 +1,4 @@
-// Writes the page docs/controls/ID.md: all rows of a control's file as tables, in both languages.
+// Creates the page docs/controls/ID.md, which shows all rows of a control's file as tables, in both languages.
 
 #include <fmt/core.h>
 
@@ -22,10 +22,10 @@ std::string escaped(const std::string& text) {
 
 std::string cells(const Text& text) { return fmt::format("{} | {}", escaped(text.en), escaped(text.ru)); }
 
-/// Returns the headings of the two columns that cells() fills: "meaning | значение".
+/// Returns the headings of the two columns (English, Russian) that cells() fills, e.g. "meaning | значение".
 std::string headings(PlainText text) { return fmt::format("{} | {}", plain_text(text, Lang::en), plain_text(text, Lang::ru)); }
 
-/// Returns the heading row of a Markdown table and the line below it: "| a | b |", "|---|---|".
+/// Returns the heading row of a Markdown table and the separator line below it, e.g. "| a | b |", "|---|---|".
 std::string table_head(const std::string& columns) {
   const auto bars = static_cast<std::size_t>(std::count(columns.begin(), columns.end(), '|'));
   std::string rule = "|";
@@ -42,7 +42,7 @@ void address_rows(const ControlDef& def, std::string& page) {
 }
 
 void code_rows(const ControlDef& def, char letter, std::string& page) {
-  // If the control has no unsupported codes, the column that says which codes work is left out.
+  // If Kadr supports all codes of the control, the column that states which codes are supported is omitted.
   const bool all_work = std::all_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.works && !row.in_part; });
   page += fmt::format("\n## {} codes\n\n", letter);
   page += table_head(
@@ -86,7 +86,7 @@ void parameter_rows(const ControlDef& def, std::string& page) {
   if (def.parameters.empty()) return;
   constexpr const char* scopes[] = {"control", "channel", "axis", "spindle"};
   constexpr const char* types[] = {"bits", "whole", "real", "text"};
-  const bool by_program = def.machine_axes();  // true: programs write parameters with G10 L52
+  const bool by_program = def.machine_axes();  // true: programs set parameters with G10 L52
   page += by_program
               ? "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all "
                 "but those that need a restart. \"no effect\": kept, read and written by programs, but nothing follows from it in Kadr.\n\n"
@@ -105,7 +105,7 @@ void parameter_rows(const ControlDef& def, std::string& page) {
   }
 }
 
-/// Appends the alarms that the control's file has rows for, sorted by number; alarms without a number come last.
+/// Appends the alarms for which the control's file has rows. They are sorted by number; alarms without a number come last.
 void alarm_rows(const ControlDef& def, const AlarmTexts& texts, std::string& page) {
   if (def.alarms.empty()) return;
   std::vector<AlarmId> ids;

@@ -1,5 +1,5 @@
-// Describes the steps of a canned cycle in words, from the data that the engine executes: the control's step list, its operations (nct
-// 18.1) or the cycle's macro body. Used by out/text/explain/code_page and out/text/explain/word_text.
+// Describes the steps of a canned cycle in words. The data are those that the engine executes: the control's step list, its operations (nct
+// 18.1) or the blocks of the cycle's macro. This file is used by out/text/explain/code_page and out/text/explain/word_text.
 
 #include "out/text/explain/cycle_text.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 namespace cycle_ids = texts::explain_cycle;
 
-// Texts in the order of the enum CycleStep.
+// Texts of the steps, in the order of the enum CycleStep.
 constexpr std::array<PlainText, static_cast<std::size_t>(CycleStep::count)> step_texts = {
     cycle_ids::feed_to_bottom,
     cycle_ids::rapid_to_bottom,
@@ -42,7 +42,7 @@ constexpr std::array<PlainText, static_cast<std::size_t>(CycleStep::count)> step
     cycle_ids::passes_by_parameter,
 };
 
-// Texts in the order of the enum DrillStep; `end` and `stop` are not motions.
+// Texts of the drilling steps, in the order of the enum DrillStep. The steps `end` and `stop` have no text, since they are no motions.
 constexpr std::array<std::optional<PlainText>, static_cast<std::size_t>(DrillStep::manual) + 1> drill_texts = {
     std::nullopt,
     cycle_ids::to_level,
@@ -76,7 +76,7 @@ std::string numbered(const std::vector<std::string>& steps, std::string_view hea
   return text;
 }
 
-///   by_e  true: word E sets how far the tool retracts between pecks; false: a parameter of the control sets that distance
+///   by_e  true: the word E sets the distance by which the tool retracts between pecks; false: a parameter of the control sets it
 std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang lang) {
   const auto text_for = [&](DrillStep step) -> std::optional<PlainText> {
     if (!by_e && step == DrillStep::break_chips) return cycle_ids::short_pecks;
@@ -90,7 +90,7 @@ std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang
   return steps;
 }
 
-/// Describes the blocks of a macro body as motions. The motion code of a block stays in force in the following blocks.
+/// Describes the blocks of a cycle's macro as motions. The motion code of a block remains in force in the following blocks.
 class BodyTeller {
  public:
   BodyTeller(const ControlDef& def, Lang lang) : def_(def), lang_(lang) {}
@@ -146,7 +146,7 @@ std::uint64_t bits(std::string_view letters) {
   return all;
 }
 
-/// True for G87: a bit of the set-up selects boring with manual withdrawal or back boring (nct 18.1.13).
+/// True for G87. A bit of the set-up selects whether G87 is boring with manual withdrawal or back boring (nct 18.1.13).
 bool may_bore_back(const DrillCycle& cycle) { return cycle.code + 1000 == back_boring; }
 
 std::int32_t drill_code(const CodeRow& row) { return row.arg != 0 ? row.arg : row.tenth; }

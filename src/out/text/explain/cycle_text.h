@@ -1,6 +1,6 @@
 #pragma once
-// Describes the steps of a canned cycle in words. The steps come from the data that the engine executes: the control's step list, its
-// operations (nct 18.1) or the cycle's macro body.
+// Describes the steps of a canned cycle in words. The data are those that the engine executes: the control's step list, its operations (nct
+// 18.1) or the blocks of the cycle's macro.
 
 #include <cstdint>
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace kadr {
 
-/// Returns lines "    1. feed to the bottom" below a heading; empty if the steps are not known.
+/// Returns a heading and below it one line for each step, e.g. "    1. feed to the bottom"; empty if the steps are unknown.
 std::string steps_text(const ControlDef& def, const CycleRow& row, Lang lang);
-/// Like the function above, for a code whose canned cycle is built into the engine: G81 of the NCT.
+/// Returns the steps of a code whose canned cycle is part of the engine, e.g. G81 of the NCT. The form of the text is the same.
 std::string steps_text(const ControlDef& def, const CodeRow& row, Lang lang);
-/// Returns the address letters (as bits) that a drilling code uses: those of Q, E, P, I, J, K that its operations need, and every other
-/// letter. A code that does not drill uses all letters.
+/// Returns the address letters that a drilling code uses, as a bit set. Of the letters Q, E, P, I, J, K only those are included that the
+/// operations of the code need. A code that does not drill uses all letters.
 std::uint64_t words_used(const CodeRow& row);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Explains the words of a program line. Used by view/page/page_check; tested by tests/out/line_words_test.cpp.
+// Explains the words of a program line. This file is used by view/page/page_check and tested by tests/out/line_words_test.cpp.
 
 #include "out/text/explain/line_words.h"
 
@@ -19,7 +19,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_blocks = 100;  // greatest number of blocks in one line, on controls where the word ПС ends a block
+// greatest number of blocks that are read from one line; on some controls the word ПС ends a block within the line
+constexpr std::size_t max_blocks = 100;
 constexpr std::size_t max_words = 500;
 
 class LineWords {
@@ -68,7 +69,8 @@ class LineWords {
     add(word.where, name, title, explained(name));
   }
 
-  /// Returns the code of the block that uses the letter: its description says more than that of the address alone.
+  /// Returns the code of the block that uses the letter; nullptr if there is none. The description of the code states more about the word
+  /// than that of the address.
   const CodeRow* code_with(char letter) const {
     for (std::uint32_t i = 0; i < block_->word_count; ++i) {
       const Word& word = block_->words[i];
@@ -79,7 +81,7 @@ class LineWords {
     return nullptr;
   }
 
-  /// Returns the canned cycle L81, …, on controls that name them so (2С42).
+  /// Returns the canned cycle that a word such as L81 names, on controls with such words (2С42).
   const CycleRow* cycle_of(char letter, const Word& word) const {
     if (letter != 'L' || word.expression || !(word.value >= 0 && word.value < 1e6) || word.value != std::floor(word.value)) return nullptr;
     const std::string name = fmt::format("L{}", std::int32_t(word.value));
@@ -87,7 +89,7 @@ class LineWords {
     return found == def_.cycles.end() ? nullptr : &*found;
   }
 
-  /// Explains #5021, #_ABSIO[3] and the system variables #<_x>; variables that the program itself defines have no description.
+  /// Explains system variables: #5021, #_ABSIO[3] and #<_x>. Variables that the program itself defines have no description.
   void take_variables(std::size_t begin, std::size_t end) {
     for (std::size_t at = line_.find('#', begin); at < end; at = line_.find('#', at + 1)) {
       if (in_comment(at)) continue;

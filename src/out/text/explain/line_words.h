@@ -1,5 +1,5 @@
 #pragma once
-// Explains the words of a program line on its control: the text that the web page shows under the mouse pointer.
+// Explains the words of a program line on its control. The web page shows the text under the mouse pointer.
 
 #include <cstdint>
 #include <string>
@@ -12,15 +12,17 @@
 namespace kadr {
 
 struct LineWord {
-  std::uint32_t from = 0, to = 0;  // columns in characters, from 1: the first character of the word, and the one after its last
-  std::string code;                // "G81", "X", "#5021"
-  std::string title;               // one line
-  std::string text;                // the whole text of kadr explain; empty: there is only the title
+  // columns, counted in characters from 1: the first character of the word, and the character after its last one
+  std::uint32_t from = 0, to = 0;
+  std::string code;   // the explained code, address or variable, e.g. "G81", "X", "#5021"
+  std::string title;  // one line
+  std::string text;   // the whole text of kadr explain; empty: only the title is known
 };
 
-/// Explains the words of all blocks of the line; of a faulty block only the words before the fault. Words that the control does not have
-/// are left out. A letter is explained by the codes of its own block; codes in force from earlier blocks are not considered.
-///   line  UTF-8, without its line break
+/// Explains the words of all blocks of the line. In a faulty block only the words before the fault are explained. Words that the control
+/// does not have are omitted. The meaning of a letter comes from the codes in its own block. Codes in force from earlier blocks are not
+/// considered.
+///   line  the line in UTF-8, without its line break
 std::vector<LineWord> words_of_line(const ControlDef& def, const AlarmTexts& texts, std::string_view line, Lang lang);
 
 }  // namespace kadr

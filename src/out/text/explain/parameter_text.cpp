@@ -1,4 +1,4 @@
-// Describes a parameter of a control, for commands such as `kadr explain nct N1339`. Used by out/text/explain/code_page.
+// Describes a parameter of a control, for commands such as `kadr explain nct N1339`. This file is used by out/text/explain/code_page.
 
 #include "out/text/explain/parameter_text.h"
 
@@ -16,7 +16,7 @@ namespace {
 namespace parameter_ids = texts::explain_parameter;
 
 constexpr double unbounded = 1e299;
-constexpr std::size_t bits_with_number = 8;  // bits 0 to 7 have numbers, further bits only a name (nct 24.0)
+constexpr std::size_t bits_with_number = 8;  // number of bits that have numbers (0 to 7); further bits have only names (nct 24.0)
 
 const char* scope_of(const ParameterRow& row, Lang lang) {
   constexpr std::array<PlainText, 4> scopes = {parameter_ids::one_for_control, parameter_ids::one_for_channel, parameter_ids::one_for_axis,
@@ -35,7 +35,8 @@ const char* when_of(const ParameterRow& row, Lang lang) {
   return plain_text(times[static_cast<std::size_t>(row.when)], lang);
 }
 
-/// Returns "0 … 100" or "at least 0"; empty for bits and texts, and for a parameter without limits.
+/// Returns the limits of the parameter in words, e.g. "0 … 100" or "at least 0"; empty for bits and texts, and for a parameter without
+/// limits.
 std::string allowed_values(const ParameterRow& row, Lang lang) {
   if (row.type == ParameterType::bits || row.type == ParameterType::text) return {};
   const bool least = row.least > -unbounded;
@@ -47,7 +48,7 @@ std::string allowed_values(const ParameterRow& row, Lang lang) {
   return {};
 }
 
-/// Returns the names of the bits: "0 DIA, 1 ROT, 5 MGD; numbers unknown: CLR".
+/// Returns the numbers and names of the bits, e.g. "0 DIA, 1 ROT, 5 MGD; numbers unknown: CLR".
 std::string bits_of(const ParameterRow& row, Lang lang) {
   std::string known, others;
   for (std::size_t i = 0; i < row.bits.size(); ++i) {

@@ -9,7 +9,8 @@
 
 namespace kadr {
 
-/// Returns the description of the parameter "N1339", "1339", "N0106" or "106". A parameter without a number is found by its name (CLRG).
+/// Returns the description of a parameter, which is found by number ("N1339", "1339", "N0106", "106"), or by name (CLRG) if it has no
+/// number.
 ///   returns  nullopt if the control has no such parameter
 std::optional<std::string> explain_parameter(const ControlDef& def, const std::string& code, Lang lang);
 

@@ -1,4 +1,4 @@
-// Describes the keys of a set-up: the page docs/setup.md, and the keys that one control supports (kadr explain ID setup). Used by
+// Describes the keys of a set-up, as the page docs/setup.md or for a single control (kadr explain ID setup). This file is used by
 // cli/explain.
 
 #include "out/text/explain/setup_page.h"
@@ -14,14 +14,14 @@
 namespace kadr {
 namespace {
 
-/// Returns the values that a key accepts, their unit, and whether null is allowed: "a number, zero or above; mm/min; or null".
+/// Returns in words which values a key accepts, their unit, and whether null is allowed, e.g. "a number, zero or above; mm/min; or null".
 std::string form_text(const SetupKey& row, SetupRange range, Lang lang) {
   std::string text = form_of(row, range, lang);
   if (row.unit != SetupUnit::none) text += fmt::format("; {}", name_of(row.unit, lang));
   return row.null ? translated_in(lang, texts::setup_page::or_null, text) : text;
 }
 
-/// Returns which names may be below a table of the set-up: "axes", «номер — целое число от 1 до 99».
+/// Returns in words which names a table of the set-up may contain, e.g. "axes", «номер — целое число от 1 до 99».
 std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang) {
   const bool is_below = row.form == SetupForm::table;
   switch (row.names) {
@@ -52,7 +52,7 @@ std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang
   }
 }
 
-/// Returns the example of the key. The example for the table of parameters uses parameter names that the control has.
+/// Returns an example of the key. The example of the parameter table uses parameter names of the control.
 std::string example_of(const SetupKey& row, const SetupNamesOf& names) {
   if (row.names != SetupNames::parameter) return std::string(row.example);
   std::string rows;
@@ -62,14 +62,14 @@ std::string example_of(const SetupKey& row, const SetupNamesOf& names) {
 
 bool is_row_of_table(const SetupKey& row) { return row.path.ends_with(".*") && row.form == SetupForm::table; }
 
-/// Returns the path of a key in readable form: "offsets.*.length" → `offsets.….length`.
+/// Returns the path of a key in readable form, e.g. `offsets.….length` for "offsets.*.length".
 std::string path_shown(std::string_view path) {
   std::string text(path);
   for (std::size_t at = 0; (at = text.find('*', at)) != std::string::npos;) text.replace(at, 1, "…"), at += 3;
   return text;
 }
 
-/// Returns "all", or the ids of the controls that support the key.
+/// Returns the ids of the controls that support the key, or the word "all".
 std::string knowers(const SetupKey& row, const std::vector<const ControlDef*>& controls, Lang lang) {
   std::string list;
   std::size_t count = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Describes the keys of a set-up: the page docs/setup.md, and the keys that one control supports (kadr explain ID setup).
+// Describes the keys of a set-up, as the page docs/setup.md or for a single control (kadr explain ID setup).
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace kadr {
 
-/// Returns the description of all keys, with the controls that support each. `controls` are the columns of the table, in order.
+/// Returns the description of all keys, with the controls that support each key. `controls`: the columns of the table, in order.
 std::string setup_page(const std::vector<const ControlDef*>& controls, Lang lang);
 
-/// Returns the keys that this control supports.
+/// Returns the description of the keys that this control supports.
 std::string explain_setup(const ControlDef& def, Lang lang);
 
 }  // namespace kadr

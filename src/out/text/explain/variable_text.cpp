@@ -1,5 +1,5 @@
-// Describes a system variable: its numbers, its symbol, and whether a program may read or write it. Used by out/text/explain/code_page and
-// out/text/explain/control_page.
+// Describes a system variable: its numbers, its symbol, and whether a program may read or change it. This file is used by
+// out/text/explain/code_page and out/text/explain/control_page.
 
 #include "out/text/explain/variable_text.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace variable_ids = texts::explain_variable;
 
-/// A position in a range of variable numbers: index of the series of numbers, and index within that series.
+/// The location of a number in the number ranges of a variable: index of the range, and index within the range.
 struct Place {
   std::uint32_t family = 0;
   std::uint32_t nth = 0;

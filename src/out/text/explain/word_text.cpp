@@ -1,4 +1,4 @@
-// Explains the words of a code, for commands such as `kadr explain nct G81`. Used by out/text/explain/code_page.
+// Explains the words of a code, for commands such as `kadr explain nct G81`. This file is used by out/text/explain/code_page.
 
 #include "out/text/explain/word_text.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace word_ids = texts::explain_words;
 
-/// The meaning of a letter in blocks with one function; for addresses with several meanings.
+/// The meaning of a letter in blocks with a certain function. It is needed for addresses with several meanings.
 struct Meaning {
   Function function;
   char letter;
@@ -26,7 +26,7 @@ struct Meaning {
   PlainText text;
 };
 
-// nct 18.0: drilling; 15.5.1: radius_side. Mach3 10.7.22 to 10.7.24: cycle.
+// Sources: nct 18.0 for drilling, nct 15.5.1 for radius_side, Mach3 10.7.22 to 10.7.24 for cycle.
 constexpr Meaning meanings[] = {
     {Function::drilling, 'R', WordUnit::length, word_ids::point_r},
     {Function::drilling, 'Q', WordUnit::length, word_ids::peck_depth},
@@ -59,7 +59,7 @@ std::string meaning_text(const Meaning& meaning, Lang lang) { return with_unit(p
 
 bool is_tap(const CodeRow& code) { return code.arg == 84.2_g || code.arg == 84.3_g; }
 
-/// Returns the meaning of a letter on the controls on which it differs from the NCT.
+/// Returns the meaning of a letter if the control differs from the NCT; nullopt otherwise.
 std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& code, char letter) {
   using enum WordUnit;
   const std::uint64_t used = words_used(code);
@@ -75,7 +75,7 @@ std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& co
   }
 }
 
-/// Returns the letters that the canned cycle uses on this control.
+/// Returns the letters that the canned cycle uses on this control, as a bit set.
 std::uint64_t used_letters(const ControlDef& def, const CodeRow& row) {
   std::uint64_t used = words_used(row);
   if (row.function != Function::drilling) return used;
@@ -119,7 +119,8 @@ std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang) {
     if ((used >> i & 1u) == 0) idle += (idle.empty() ? "" : " ") + name;
     else text += fmt::format("    {:<3}{}\n", name, meaning_of(def, row, letter, lang));
   }
-  if ((drills || row.function == Function::cycle) && def.address('F').function != Function::count)  // F belongs to the block, not the code
+  // F is not among the words of the code, since it belongs to the block, so it is added here
+  if ((drills || row.function == Function::cycle) && def.address('F').function != Function::count)
     text += fmt::format("    {:<3}{}\n", "F", meaning_of(def, row, 'F', lang));
   if (!idle.empty()) text += fmt::format("    {}\n", translated_in(lang, word_ids::not_used, idle));
   return text;

@@ -9,13 +9,13 @@
 
 namespace kadr {
 
-/// Returns the letters of the words that select the tool offset for the code, on controls that have such words (NCT, Fanuc: D, H).
+/// Returns the letters of the words that select the tool offset for the code, as a bit set, on controls with such words (NCT, Fanuc: D, H).
 std::uint64_t number_words(const ControlDef& def, const CodeRow& row);
 
-/// Returns a line for each letter that the code accepts: "    R  point R: …, mm".
+/// Returns a line for each letter that the code accepts, e.g. "    R  point R: …, mm".
 std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang);
 
-/// Returns what a letter means in a block with that code: "depth of one peck, positive, mm (inch)".
+/// Returns the meaning of a letter in a block with that code, e.g. "depth of one peck, positive, mm (inch)".
 std::string meaning_of(const ControlDef& def, const CodeRow& code, char letter, Lang lang);
 
 }  // namespace kadr
