@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
   }
   const auto begun = Clock::now();
   const IdleLoop idle, other;
-  double told = 10;
+  double reported = 10;
   std::uint64_t first = 0;
   while (since(begun) < seconds) {
     const kadr::PanelState state = (*made)->state();
@@ -89,10 +89,10 @@ int main(int argc, char** argv) {
       fmt::print("the machine stands\n");
       return 2;
     }
-    if (since(begun) > told) {
-      fmt::print("{:.0f} s: servo clock {:.3f} ms, idle loops {:.3f} ms, {:.3f} ms\n", told, 1000 * state.sample.late, 1000 * idle.late(),
-                 1000 * other.late());
-      told += 10;
+    if (since(begun) > reported) {
+      fmt::print("{:.0f} s: servo clock {:.3f} ms, idle loops {:.3f} ms, {:.3f} ms\n", reported, 1000 * state.sample.late,
+                 1000 * idle.late(), 1000 * other.late());
+      reported += 10;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }

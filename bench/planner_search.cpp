@@ -152,7 +152,7 @@ double median_seconds(const Program& program, const kadr::MotionLimits& limits, 
 class Search {
  public:
   explicit Search(const Ideal& ideal) : ideal_(ideal), at_(ideal.points.size(), 0) {
-    for (std::size_t i = 1; i < at_.size(); ++i) at_[i] = at_[i - 1] + way(i);
+    for (std::size_t i = 1; i < at_.size(); ++i) at_[i] = at_[i - 1] + distance(i);
   }
   struct Found {
     double mm, tolerance;
@@ -171,13 +171,13 @@ class Search {
     for (std::size_t i = last_; i > 0 && at_[last_] - at_[i] < around; --i) look(i);
     for (std::size_t i = last_ + 1; i < at_.size() && at_[i - 1] - at_[last_] < around; ++i) look(i);
     last_ = nearest;
-    const std::size_t before = std::max<std::size_t>(nearest, 2) - 1, behind = std::min(nearest + 1, at_.size() - 1);
-    return {std::sqrt(least), std::max({ideal_.tolerance[before], ideal_.tolerance[nearest], ideal_.tolerance[behind]})};
+    const std::size_t before = std::max<std::size_t>(nearest, 2) - 1, after = std::min(nearest + 1, at_.size() - 1);
+    return {std::sqrt(least), std::max({ideal_.tolerance[before], ideal_.tolerance[nearest], ideal_.tolerance[after]})};
   }
 
  private:
   static constexpr double around = 1;  // mm of path searched on either side
-  double way(std::size_t i) const {
+  double distance(std::size_t i) const {
     const Point &a = ideal_.points[i - 1], &b = ideal_.points[i];
     return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
   }
@@ -202,7 +202,7 @@ class Instants {
   void look(const TimedCells& cells, std::size_t k) {
     const kadr::TimeLaw::State state = cells.laws[k].after(due_);
     for (std::size_t a = 0; a < 3; ++a) {
-      const auto x = kadr::Derivatives::at(cells.path.data() + (k * 3 + a) * TimedCells::terms, state.way);
+      const auto x = kadr::Derivatives::at(cells.path.data() + (k * 3 + a) * TimedCells::terms, state.distance);
       const double v = state.speed;
       most_[0] = std::max(most_[0], std::fabs(x.x1 * v) / limits_.speed[a]);
       most_[1] = std::max(most_[1], std::fabs(x.x1 * state.acceleration + x.x2 * v * v) / limits_.acceleration[a]);

@@ -37,11 +37,11 @@ std::optional<kadr::Encoding> encoding_of(std::size_t index) {
 constexpr unsigned as_utf16le = 32, as_utf16be = 64;  // bits of the first byte; else the encoding is detected
 
 kadr::OpenedText opened(std::string text, unsigned switches) {
-  kadr::GivenEncoding said;
-  if ((switches & as_utf16le) != 0) said.utf16 = kadr::Utf16::little;
-  else if ((switches & as_utf16be) != 0) said.utf16 = kadr::Utf16::big;
-  else said.encoding = encoding_of(switches >> 2 & 7U);
-  return kadr::as_text(kadr::text_source(std::move(text)), said);
+  kadr::GivenEncoding given;
+  if ((switches & as_utf16le) != 0) given.utf16 = kadr::Utf16::little;
+  else if ((switches & as_utf16be) != 0) given.utf16 = kadr::Utf16::big;
+  else given.encoding = encoding_of(switches >> 2 & 7U);
+  return kadr::as_text(kadr::text_source(std::move(text)), given);
 }
 
 /// A copy of the data of a block, for comparison after the next one has been read.

@@ -11,10 +11,10 @@
 namespace kadr::fuzz {
 namespace {
 
-constexpr std::size_t max_shown = 40;  // greatest number of alarms whose text is written
-constexpr std::size_t max_kept = 200;  // greatest number of blocks before which the state is saved for comparison
-constexpr double farthest_end = 1e8;   // mm; no motion may end farther away
-constexpr double same_place = 1e-5;    // mm; rounding error of coordinates of ten kilometres
+constexpr std::size_t max_shown = 40;   // greatest number of alarms whose text is written
+constexpr std::size_t max_saved = 200;  // greatest number of blocks before which the state is saved for comparison
+constexpr double farthest_end = 1e8;    // mm; no motion may end farther away
+constexpr double same_place = 1e-5;     // mm; rounding error of coordinates of ten kilometres
 
 bool is_finite(const Axes& axes) {
   for (const double v : axes)
@@ -84,20 +84,20 @@ Looks::Looks(const Shop& shop, Session& session)
 }
 
 void Looks::before_block() {
-  before_is_kept_ = ++kept_ <= max_kept;
-  if (before_is_kept_) before_block_ = control_.ending();
+  before_is_saved_ = ++saved_ <= max_saved;
+  if (before_is_saved_) before_block_ = control_.ending();
 }
 
 void Looks::begin_at(const Place& place) {
   stand_ = place.stand;
   frame_ = place.frame;
-  before_is_kept_ = false;
+  before_is_saved_ = false;
 }
 
 /// Observes an action as programmed, before cutter compensation.
 void Looks::programmed(const Action& action) {
   if (++actions_ > last_action_ && stop_ != nullptr) *stop_ = true;
-  before_is_kept_ = false;  // the action may be the first of a canned cycle: the state has changed
+  before_is_saved_ = false;  // the action may be the first of a canned cycle: the state has changed
   if (const auto* const motion = std::get_if<Motion>(&action.what)) check_motion(*motion);
   if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
     require(is_finite(frame->placement.origin) && is_finite(frame->placement.length) && is_finite(frame->work), "the frame is of numbers");
@@ -163,10 +163,10 @@ bool Looks::stopped(const AlarmReport& report) {
     // After a refused motion the check uses the end position of that motion.
     require(alarms_ > 1 || ((!frame_is_known || near(after.position, work)) && near(after.machine_position, stand_.machine)),
             "after an alarm the control stands where the motions led");
-    if (before_is_kept_ && report.alarm.id != AlarmId::call_too_deep)
+    if (before_is_saved_ && report.alarm.id != AlarmId::call_too_deep)
       same_state(before_block_, after);  // an interrupt macro may exceed the depth of calls
   }
-  before_is_kept_ = false;
+  before_is_saved_ = false;
   return goes_on_after_alarm();
 }
 

@@ -25,7 +25,7 @@ class Looks {
   /// Saves the state before the next block: a block with an alarm must leave it unchanged.
   void before_block();
   /// Discards the saved state, because it belongs to another block.
-  void forget_block() { before_is_kept_ = false; }
+  void forget_block() { before_is_saved_ = false; }
   /// Called at each alarm; returns true if the run continues with the next block.
   std::function<bool()> goes_on_after_alarm = [] { return true; };
   /// True if the position is not known any more, since a session was restored without begin_at().
@@ -65,8 +65,8 @@ class Looks {
   TraceWriter trace_;
   AlarmReport last_;
   FinalState before_block_;
-  bool before_is_kept_ = false;
-  std::size_t kept_ = 0;
+  bool before_is_saved_ = false;
+  std::size_t saved_ = 0;
   std::size_t actions_ = 0, last_action_ = 0;
   std::atomic<bool>* stop_ = nullptr;
   std::size_t alarms_ = 0;

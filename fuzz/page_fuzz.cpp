@@ -26,9 +26,9 @@ namespace {
 using namespace kadr;
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_lines = 24;                      // messages in an input
-constexpr auto patience = std::chrono::milliseconds(150);  // time for a message; then it is stopped
-constexpr std::size_t max_frames = 40, most_said = 4000;   // limits for an input; after that the client is treated as disconnected
+constexpr std::size_t max_lines = 24;                        // messages in an input
+constexpr auto patience = std::chrono::milliseconds(150);    // time for a message; then it is stopped
+constexpr std::size_t max_frames = 40, most_answers = 4000;  // limits for an input; after that the client is treated as disconnected
 constexpr std::pair<const char*, const char*> files[] = {
     {"part.nc",
      "(</script>)\nG21 G90 G17\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-2 F200\nX40 F600\nG41 D1 X40 Y1\nG3 X40 Y20 J10\nG40 G1 X0\nY0\nM30\n"},
@@ -66,7 +66,7 @@ class Taker : public PageLine {
     fuzz::require(json.is_object(), "what is said is a JSON object");
     if (json.contains("re")) ++answers;
     else fuzz::require(json.contains("event"), "an answer or an event");
-    return ++said < most_said;
+    return ++said < most_answers;
   }
   bool frame(std::string bytes) override {
     fuzz::require(bytes.size() >= 16 && bytes.size() % 4 == 0, "a frame has a head");

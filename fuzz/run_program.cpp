@@ -44,7 +44,7 @@ constexpr std::size_t max_calls = 4000;  // limit for calls of go_on(), for loop
 constexpr std::size_t max_commands = 60;
 constexpr std::size_t max_commanded = 5000;  // limit of actions while single-stepping or searching
 
-enum class Way : std::uint8_t { watched, rewound, fresh, planned, stepped, searched, count };
+enum class RunKind : std::uint8_t { watched, rewound, fresh, planned, stepped, searched, count };
 
 /// A random generator seeded with the text, so that the same text always runs in the same way.
 class Chance {
@@ -73,9 +73,9 @@ class Run {
         text_(text),
         switches_(switches),
         chance_(text),
-        way_(static_cast<Way>(chance_.below(static_cast<std::size_t>(Way::count)))) {
+        kind_(static_cast<RunKind>(chance_.below(static_cast<std::size_t>(RunKind::count)))) {
     has_logic_ = shop.logic && (switches & machine_logic) != 0;
-    if (has_logic_ && way_ != Way::stepped) way_ = Way::watched;  // the state of the logic is not part of snapshots
+    if (has_logic_ && kind_ != RunKind::stepped) kind_ = RunKind::watched;  // the state of the logic is not part of snapshots
     has_channels_ = !shop.second_channel.empty() && chance_.one_in(4);
   }
 
@@ -85,12 +85,12 @@ class Run {
     if (!session) return;
     Looks looks(shop_, *session);
     if (has_logic_) attach_logic(*session, looks);
-    switch (way_) {
-      case Way::watched: watch(*session, looks); break;
-      case Way::rewound: rewind(*session, looks); break;
-      case Way::fresh: go_on_in_a_fresh_one(*session, looks); break;
-      case Way::planned: plan(*session, looks); break;
-      case Way::stepped: step(*session, looks); break;
+    switch (kind_) {
+      case RunKind::watched: watch(*session, looks); break;
+      case RunKind::rewound: rewind(*session, looks); break;
+      case RunKind::fresh: go_on_in_a_fresh_one(*session, looks); break;
+      case RunKind::planned: plan(*session, looks); break;
+      case RunKind::stepped: step(*session, looks); break;
       default: search(*session, looks); break;
     }
     if (state_ == Session::State::ended || state_ == Session::State::stopped) looks.finish();
@@ -124,7 +124,7 @@ class Run {
   }
 
   bool goes_on(const Looks& looks) {
-    const std::size_t most = way_ == Way::planned ? max_planned : max_actions;
+    const std::size_t most = kind_ == RunKind::planned ? max_planned : max_actions;
     return ++calls_ < max_calls && state_ == Session::State::running && looks.actions() < most && looks.alarms() < max_alarms;
   }
   void run(Session& session, const Looks& looks) {
@@ -220,14 +220,14 @@ class Run {
     looks.goes_on_after_alarm = [this] { return chance_.one_in(2); };
     stop_after_some(session, looks);
     Stepping stepping(session);
-    std::optional<Stepping::Memory> kept;
+    std::optional<Stepping::Memory> saved;
     for (std::size_t i = 0; i < max_commands && !stop_; ++i) {
-      state_ = command(session, stepping, kept);
+      state_ = command(session, stepping, saved);
       looks.begin_at({session.control().tool_position(), std::nullopt});
       if (state_ == Session::State::stopped && chance_.one_in(2)) session.acknowledge();
     }
   }
-  Session::State command(Session& session, Stepping& stepping, std::optional<Stepping::Memory>& kept) {
+  Session::State command(Session& session, Stepping& stepping, std::optional<Stepping::Memory>& saved) {
     constexpr Stepping::How hows[] = {Stepping::How::block, Stepping::How::over, Stepping::How::out};
     constexpr std::uint64_t max_blocks = 300;
     switch (chance_.below(9)) {
@@ -238,10 +238,10 @@ class Run {
       case 2: (void)stepping.value(chance_.piece_of(text_)); break;
       case 3: (void)stepping.holds(chance_.piece_of(text_) + " > " + chance_.piece_of(text_)); break;
       case 4: (void)stepping.add({.line = static_cast<std::uint32_t>(chance_.below(20)), .condition = chance_.piece_of(text_)}); break;
-      case 5: kept = stepping.next() ? stepping.snapshot() : std::nullopt; break;
+      case 5: saved = stepping.next() ? stepping.snapshot() : std::nullopt; break;
       case 6:
-        if (!kept) break;
-        require(stepping.restore(*kept).has_value(), "a snapshot of stepping is restored");
+        if (!saved) break;
+        require(stepping.restore(*saved).has_value(), "a snapshot of stepping is restored");
         return Session::State::held;
       case 7: (void)session.control().in_force(); break;
       default: break;
@@ -273,8 +273,8 @@ class Run {
   }
   static void write_path(const Session& session, const Restart& restart) {
     const ControlDef& def = session.def();
-    const auto way = way_there({}, restart, {.clearance = 100, .above = 2, .feed = 100}, session.control().axes().size());
-    const auto blocks = restart_blocks(def, restart.in_force, restart.in_force, in_work_coordinates(way, restart, def));
+    const auto path = path_there({}, restart, {.clearance = 100, .above = 2, .feed = 100}, session.control().axes().size());
+    const auto blocks = restart_blocks(def, restart.in_force, restart.in_force, in_work_coordinates(path, restart, def));
     if (!blocks) return;
     for (const std::string& block : blocks->blocks) require(is_utf8(block) && block.find('\n') == std::string::npos, "a block is a line");
   }
@@ -283,7 +283,7 @@ class Run {
   const std::string& text_;
   unsigned switches_;
   Chance chance_;
-  Way way_;
+  RunKind kind_;
   bool has_logic_ = false, has_channels_ = false;
   Session::State state_ = Session::State::running;
   std::size_t calls_ = 0;

@@ -148,9 +148,9 @@ Found found_by(fcl::GJKSolverType solver, const fcl::CollisionGeometryd& a, cons
     found.certain = found.distance;
     return found;
   }
-  const fcl::Vector3d way = (found.on_second - found.on_first).normalized();
-  found.certain = way.dot(at_b.translation() - at_a.translation()) - reach(a, at_a.linear().transpose() * way) -
-                  reach(b, at_b.linear().transpose() * -way);
+  const fcl::Vector3d direction = (found.on_second - found.on_first).normalized();
+  found.certain = direction.dot(at_b.translation() - at_a.translation()) - reach(a, at_a.linear().transpose() * direction) -
+                  reach(b, at_b.linear().transpose() * -direction);
   return found;
 }
 

@@ -35,7 +35,7 @@ struct Looked {
     std::array<double, 3> position{};
     double squares = 0;
     for (std::size_t a = 0; a < 3; ++a) {
-      const Derivatives x = Derivatives::at(cells.path.data() + (k * 3 + a) * TimedCells::terms, state.way);
+      const Derivatives x = Derivatives::at(cells.path.data() + (k * 3 + a) * TimedCells::terms, state.distance);
       const double v = state.speed;
       squares += x.x1 * x.x1 * v * v;
       speed = std::max(speed, std::fabs(x.x1 * v) / limits.speed[a]);
@@ -43,7 +43,7 @@ struct Looked {
       jerk = std::max(jerk, std::fabs(x.x1 * state.jerk + 3 * x.x2 * v * state.acceleration + x.x3 * v * v * v) / limits.jerk[a]);
     }
     if (cells.sources[k].feed > 0) feed = std::max(feed, std::sqrt(squares) / cells.sources[k].feed);
-    cells.position(k, state.way, position.data());
+    cells.position(k, state.distance, position.data());
     at(position);
   }
 };

@@ -39,7 +39,7 @@ inline PlannedRun planned_run(const MotionLimits& limits, const std::vector<Piec
   Planner planner(limits, [&](const TimedCells& cells) {
     for (std::size_t k = 0; k < cells.laws.size(); ++k) {
       const TimeLaw& law = cells.laws[k];
-      for (; due < law.seconds && run.seconds < 1e5; due += period) cells.position(k, law.way(due), run.points.emplace_back().data());
+      for (; due < law.seconds && run.seconds < 1e5; due += period) cells.position(k, law.distance(due), run.points.emplace_back().data());
       due -= law.seconds;
       run.seconds += law.seconds;
       cells.position(k, law.length, run.end.data());

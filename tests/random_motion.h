@@ -44,9 +44,9 @@ inline void let_follow(Moved& moved) {
   auto detail = moved.motion.detail ? std::make_shared<MotionDetail>(*moved.motion.detail) : std::make_shared<MotionDetail>();
   detail->followers = {{v, 0, -1}, {w, v, *rc::gen::element(1.0, -1.0)}};
   for (const Follower& f : detail->followers) {
-    const double way = f.sign * (moved.motion.machine[f.master] - moved.from.machine[f.master]);
-    moved.motion.machine[f.axis] = moved.from.machine[f.axis] + way;
-    moved.motion.to[f.axis] = moved.from.work[f.axis] + way;
+    const double travel = f.sign * (moved.motion.machine[f.master] - moved.from.machine[f.master]);
+    moved.motion.machine[f.axis] = moved.from.machine[f.axis] + travel;
+    moved.motion.to[f.axis] = moved.from.work[f.axis] + travel;
   }
   moved.motion.detail = std::move(detail);
 }

@@ -92,8 +92,8 @@ inline void for_each_example(const std::function<void(const Work&)>& use) {
       if (ending == ".json" || ending == ".toml" || ending == ".md" || ending == ".svg") continue;
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::string program((std::istreambuf_iterator<char>(stream)), {});
-      std::ifstream beside(fs::path(entry.path()).replace_extension(".json"));
-      const std::string json((std::istreambuf_iterator<char>(beside)), {});
+      std::ifstream set_up(fs::path(entry.path()).replace_extension(".json"));
+      const std::string json((std::istreambuf_iterator<char>(set_up)), {});
       use({id, entry.path(), program, entry.path(), json.empty() ? Setup() : parse_setup(json).value()});
     }
 }

@@ -17,7 +17,7 @@ struct State {
 State state_of(const TimeLaw& law, double t) {
   if (law.by_time) return {law.speed(t), law.a + law.j * t, law.j};
   const double v = law.speed(t);
-  return {v, law.a + law.j * law.way(t), law.j * v};
+  return {v, law.a + law.j * law.distance(t), law.j * v};
 }
 
 /// Returns the time at which the motion has covered the distance `way` of a cell.
@@ -28,7 +28,7 @@ double time_at(const TimeLaw& law, double way) {
   constexpr int halvings = 60;
   for (int i = 0; i < halvings; ++i) {
     const double middle = (low + high) / 2;
-    (law.way(middle) < way ? low : high) = middle;
+    (law.distance(middle) < way ? low : high) = middle;
   }
   return high;
 }
@@ -115,7 +115,7 @@ Shares shares_planned(const Stretch& stretch, const MotionLimits& limits) {
       const TimeLaw& law = stretch.cells.laws[k];
       const double t = law.seconds * i / looks;
       const State state = state_of(law, t);
-      shares.take(place(stretch, limits, k, std::min(law.way(t), law.length)), limits, state.v, state.a, state.j);
+      shares.take(place(stretch, limits, k, std::min(law.distance(t), law.length)), limits, state.v, state.a, state.j);
     }
   return shares;
 }

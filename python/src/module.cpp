@@ -70,15 +70,15 @@ py::bytearray bytes_of(const std::string& bytes) { return {bytes.data(), bytes.s
 std::shared_ptr<ProgramSpec> spec_of(const py::bytes& file, const std::optional<py::bytes>& text, const std::string& control,
                                      const std::string& machine, const py::bytes& setup_file, const std::string& setup_json,
                                      const std::string& lang) {
-  const Wanted wanted{.file = file,
-                      .text = text ? std::optional(std::string(*text)) : std::nullopt,
-                      .control = control,
-                      .machine = machine,
-                      .setup_file = setup_file,
-                      .setup_json = setup_json,
-                      .lang = lang == "ru" ? Lang::ru : Lang::en};
+  const ProgramRequest request{.file = file,
+                               .text = text ? std::optional(std::string(*text)) : std::nullopt,
+                               .control = control,
+                               .machine = machine,
+                               .setup_file = setup_file,
+                               .setup_json = setup_json,
+                               .lang = lang == "ru" ? Lang::ru : Lang::en};
   const py::gil_scoped_release released;
-  return std::make_shared<ProgramSpec>(wanted);
+  return std::make_shared<ProgramSpec>(request);
 }
 
 void add_spec(py::module_& module) {

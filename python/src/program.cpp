@@ -28,8 +28,8 @@ std::string beginning_of(OpenedText text) {
 
 }  // namespace
 
-ProgramSpec::ProgramSpec(const Wanted& wanted) : file_(wanted.file), text_(wanted.text), lang_(wanted.lang) {
-  std::string id = wanted.control;
+ProgramSpec::ProgramSpec(const ProgramRequest& request) : file_(request.file), text_(request.text), lang_(request.lang) {
+  std::string id = request.control;
   if (id.empty()) {
     const Guess guess = guess_control(beginning_of(as_text(source())));
     if (guess.control.empty())
@@ -37,15 +37,15 @@ ProgramSpec::ProgramSpec(const Wanted& wanted) : file_(wanted.file), text_(wante
     id = guess.control;
   }
   control_ = std::make_shared<const ControlDef>(got(load_control(id)));
-  machine_ = got(load_machine(wanted.machine));
-  setup_ = setup_of(wanted);
+  machine_ = got(load_machine(request.machine));
+  setup_ = setup_of(request);
   texts_ = got(AlarmTexts::load(control_.get()));
   (void)source();  // opens the file now, so that a missing file is reported at once
 }
 
-Setup ProgramSpec::setup_of(const Wanted& wanted) const {
-  SetupSource from{"setup", wanted.setup_json};
-  if (!wanted.setup_file.empty()) from = got(setup_source(wanted.setup_file));
+Setup ProgramSpec::setup_of(const ProgramRequest& request) const {
+  SetupSource from{"setup", request.setup_json};
+  if (!request.setup_file.empty()) from = got(setup_source(request.setup_file));
   if (from.json.empty()) return {};
   Setup setup = got(read_setup({from}, control_.get(), lang_)).setup;
   if (const std::string error = Plc(setup.events).error(); !error.empty()) throw Failed{from.place + ": " + error};

@@ -12,7 +12,7 @@
 namespace kadr::python {
 
 /// The arguments that Python passes.
-struct Wanted {
+struct ProgramRequest {
   std::string file;                 // path of the program; if `text` is set, the name used in messages
   std::optional<std::string> text;  // the program text, bytes in any encoding that Kadr supports
   std::string control;              // id or file of the control; empty: guessed
@@ -25,7 +25,7 @@ struct Wanted {
 class ProgramSpec {
  public:
   ///   throws  Failed, FileFailed
-  explicit ProgramSpec(const Wanted& wanted);
+  explicit ProgramSpec(const ProgramRequest& request);
 
   /// Opens a new, independent session at the start of the program.
   ///   stop    the session ends when this flag is set; must outlive the session
@@ -40,7 +40,7 @@ class ProgramSpec {
 
  private:
   std::unique_ptr<ByteSource> source() const;
-  Setup setup_of(const Wanted& wanted) const;
+  Setup setup_of(const ProgramRequest& request) const;
 
   std::string file_;
   std::optional<std::string> text_;

@@ -115,7 +115,8 @@ struct Uncouple {
 };
 /// Makes the tool's centre round the corner: it moves on an arc of the tool's radius around the programmed point (G39, nct 15.5.6).
 struct CompensationCorner {
-  std::optional<Vec2> way{};  // I J K: direction in which the path leaves the corner; nullopt: the direction of the next motion
+  std::optional<Vec2>
+      direction_vector{};  // I J K: direction in which the path leaves the corner; nullopt: the direction of the next motion
 };
 /// Selects how the compensated path is checked from here on (nct 15.5.2, 15.5.7). This action does not command the machine.
 struct CompensationCheck {

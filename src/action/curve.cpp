@@ -79,14 +79,14 @@ bool Curve::measures_path(FeedAlong along) const {
   if (along == FeedAlong::xyz) return (all_axes() & ~(xyz_axes() | roles_.rotary)) == 0;
   if (along != FeedAlong::arc || !arc_) return along != FeedAlong::all_axes || (roles_.rotary & all_axes()) == 0;
   bool flat = true;  // true if no axis outside the plane moves
-  for (std::size_t i = 0; i < roles_.count; ++i) flat = flat && ((plane_axes() >> i & 1U) != 0 || way(i) == 0);
+  for (std::size_t i = 0; i < roles_.count; ++i) flat = flat && ((plane_axes() >> i & 1U) != 0 || travel(i) == 0);
   return flat;
 }
 
 double Curve::length(FeedAlong along) const {
   if (const double turned = along == FeedAlong::turn ? flat_.turn_length() : 0; turned > 0) return turned;
-  const double way = straight() ? rise(along) : flat_.length(rise(along));
-  return way > 0 ? way : rotary_length();  // if only rotary axes move, a degree counts as 1 mm
+  const double path_length = straight() ? rise(along) : flat_.length(rise(along));
+  return path_length > 0 ? path_length : rotary_length();  // if only rotary axes move, a degree counts as 1 mm
 }
 
 double Curve::rate(FeedAlong along, double part) const {
@@ -98,8 +98,8 @@ double Curve::rate(FeedAlong along, double part) const {
 /// Converts a point of the flat path to positions of the plane's two axes.
 Vec2 Curve::in_axes(Vec2 flat) const {
   if (surface_ != PathSurface::cylinder) return flat;
-  const Vec2 way = flat - flat_.at(0);
-  return {from_[first_] + way.x * unit(first_), from_[second_] + way.y * unit(second_)};
+  const Vec2 delta = flat - flat_.at(0);
+  return {from_[first_] + delta.x * unit(first_), from_[second_] + delta.y * unit(second_)};
 }
 
 void Curve::set_in_plane(Axes& point, Vec2 flat) const {
@@ -112,7 +112,7 @@ void Curve::set_in_plane(Axes& point, Vec2 flat) const {
 /// require another travel; the difference is then spread evenly over the motion.
 void Curve::set_followers(Axes& point, double part) const {
   for (const Follower& follower : motion_.detail->followers) {
-    const double rest = way(follower.axis) - follower.sign * way(follower.master);
+    const double rest = travel(follower.axis) - follower.sign * travel(follower.master);
     point[follower.axis] = from_[follower.axis] + follower.sign * (point[follower.master] - from_[follower.master]) + part * rest;
   }
 }
@@ -121,7 +121,7 @@ Axes Curve::at(double part) const {
   if (part <= 0) return from_;
   if (part >= 1) return motion_.to;
   Axes point{};
-  for (std::size_t i = 0; i < roles_.count; ++i) point[i] = from_[i] + part * way(i);
+  for (std::size_t i = 0; i < roles_.count; ++i) point[i] = from_[i] + part * travel(i);
   if (straight()) return point;
   if (surface_ == PathSurface::polar) {
     const PolarAxes axes = polar().at(part);
@@ -136,7 +136,7 @@ Axes Curve::at(double part) const {
 
 Axes Curve::rates(double part) const {
   Axes rates{};
-  for (std::size_t i = 0; i < roles_.count; ++i) rates[i] = way(i);
+  for (std::size_t i = 0; i < roles_.count; ++i) rates[i] = travel(i);
   if (straight()) return rates;
   if (surface_ == PathSurface::polar) {
     const PolarAxes axes = polar().rates(part);
@@ -149,7 +149,7 @@ Axes Curve::rates(double part) const {
   }
   for (std::size_t n = 0; following_ != 0 && n < motion_.detail->followers.size(); ++n) {
     const Follower& follower = motion_.detail->followers[n];
-    rates[follower.axis] = follower.sign * rates[follower.master] + (way(follower.axis) - follower.sign * way(follower.master));
+    rates[follower.axis] = follower.sign * rates[follower.master] + (travel(follower.axis) - follower.sign * travel(follower.master));
   }
   return rates;
 }
@@ -187,10 +187,10 @@ Extents Curve::extents() const {
   }
   for (std::size_t n = 0; following_ != 0 && n < motion_.detail->followers.size(); ++n) {
     const auto [axis, master, sign] = motion_.detail->followers[n];
-    const double least_way = box.least[master] - from_[master], max_way = box.most[master] - from_[master];
-    const double rest = way(axis) - sign * way(master);
-    box.least[axis] = from_[axis] + std::min(sign * least_way, sign * max_way) + std::min(rest, 0.0);
-    box.most[axis] = from_[axis] + std::max(sign * least_way, sign * max_way) + std::max(rest, 0.0);
+    const double least_travel = box.least[master] - from_[master], max_travel = box.most[master] - from_[master];
+    const double rest = travel(axis) - sign * travel(master);
+    box.least[axis] = from_[axis] + std::min(sign * least_travel, sign * max_travel) + std::min(rest, 0.0);
+    box.most[axis] = from_[axis] + std::max(sign * least_travel, sign * max_travel) + std::max(rest, 0.0);
   }
   return box;
 }

@@ -58,7 +58,9 @@ class Curve {
   double rate(FeedAlong along, double part) const;
 
   /// Returns the signed travel of an axis over the motion. For a rotary axis that rolls over at 360°, whole revolutions are included.
-  double way(std::size_t axis) const { return (rolled_ >> axis & 1U) != 0 ? motion_.detail->travel[axis] : motion_.to[axis] - from_[axis]; }
+  double travel(std::size_t axis) const {
+    return (rolled_ >> axis & 1U) != 0 ? motion_.detail->travel[axis] : motion_.to[axis] - from_[axis];
+  }
 
   /// Returns the axis positions at `part`, a fraction (0 to 1) of a line's length or of an arc's angle. Inside the motion, the position of
   /// a rotary axis that rolls over continues beyond 360°.
@@ -103,7 +105,7 @@ class Curve {
   double squares(AxisMask axes) const {
     double sum = 0;
     for (; axes != 0; axes &= axes - 1) {
-      const double w = way(static_cast<std::size_t>(__builtin_ctz(axes)));
+      const double w = travel(static_cast<std::size_t>(__builtin_ctz(axes)));
       sum += w * w;
     }
     return sum;

@@ -59,9 +59,9 @@ double turning_point(double quarter, double radius, double growth_per_rad) {
 
 void take_quarters(Box2& box, const CircleArc& arc) {
   const Vec2 first = arc.first, last = arc.last;
-  const auto passes = [&](bool behind, bool before, bool not_opposite) {
-    if (arc.turns > 0.5) return arc.turns >= 1 || behind || before;
-    return behind && before && not_opposite;  // not_opposite excludes a very short arc, which does not contain the opposite direction
+  const auto passes = [&](bool after, bool before, bool not_opposite) {
+    if (arc.turns > 0.5) return arc.turns >= 1 || after || before;
+    return after && before && not_opposite;  // not_opposite excludes a very short arc, which does not contain the opposite direction
   };
   // `first` and `last` are vectors from the centre to the ends of the arc. The direction of an axis lies within the arc if cross(first,
   // axis) >= 0 and cross(axis, last) >= 0. Both products are also 0 if first and last are opposite to the axis, so the caller passes a
@@ -144,8 +144,8 @@ Box2 FlatPath::box() const {
     const double part = (90 * quarter - start) / sweep_deg_;
     if (radius_change_ == 0) {
       const SinCos at_quarter = sincos_deg(90 * quarter);
-      const Vec2 way = radius_ * Vec2{at_quarter.cos, at_quarter.sin};
-      box.take({way.x == 0 ? from_.x : center_.x + way.x, way.y == 0 ? from_.y : center_.y + way.y});
+      const Vec2 from_center = radius_ * Vec2{at_quarter.cos, at_quarter.sin};
+      box.take({from_center.x == 0 ? from_.x : center_.x + from_center.x, from_center.y == 0 ? from_.y : center_.y + from_center.y});
     } else if (const double turned = turning_point(part * sweep_rad, radius_, radius_change_ / sweep_rad);
                turned > 0 && turned < sweep_rad) {
       box.take(at(turned / sweep_rad));

@@ -69,7 +69,7 @@ struct Follower {
 /// The line or circle that a motion in the plane lies on. It is needed if the start or end of the motion has to be calculated (nct 17.3).
 enum class SupportingCurve : std::uint8_t {
   none,    // there is none: the ends of the motion are given, and nothing is calculated
-  way,     // a line with a known start and direction; its end is where the next motion starts
+  ray,     // a line with a known start and direction; its end is where the next motion starts
   line,    // an over-determined line, with a known end and direction; it starts at the intersection with the previous motion
   circle,  // an over-determined arc, with a known centre; it starts at the intersection with the previous motion
 };
@@ -80,7 +80,7 @@ struct CornerData {
   double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: there is no chamfer
   double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: there is no rounding
   SupportingCurve on = SupportingCurve::none;
-  Vec2 direction;         // unit vector in the direction of the line; only for `way` and `line`
+  Vec2 direction;         // unit vector in the direction of the line; only for `ray` and `line`
   double radius = 0;      // radius of the circle, only for `circle`, mm
   bool farther = false;   // if there are two intersections, the second one is used (Q above 0)
   bool mirrored = false;  // the programmed plane is mirrored: an arc that is clockwise in the program is counter-clockwise here
@@ -125,8 +125,8 @@ struct MotionDetail {
   std::optional<double> start_angle;  // angle of the spindle at the start of the thread, degrees
   std::optional<double> turn;         // rotation of the spindle during the motion, degrees, signed
   std::optional<double> torque;       // torque limit of a probe motion, %
-  int input = 0;            // number of the signal that ends a probe motion: 1 to 8 a probe input, 98 the torque limit, 0 any input
-  std::optional<Vec2> way;  // I J K of G41, G42, G40: direction of the approach to the contour, or of the departure
+  int input = 0;  // number of the signal that ends a probe motion: 1 to 8 a probe input, 98 the torque limit, 0 any input
+  std::optional<Vec2> direction_vector;  // I J K of G41, G42, G40: direction of the approach to the contour, or of the departure
   // Axes that copy the travel of another axis, each listed after its master; the path's length does not include their travel
   std::vector<Follower> followers;
   std::shared_ptr<const TipPath> tip_path;

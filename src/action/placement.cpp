@@ -51,8 +51,8 @@ Axes turned_axes(const FrameTurn& turn, const Axes& work) {
   return as_driven(turn.drives, all);
 }
 
-Axes turned_back_axes(const FrameTurn& turn, const Axes& way) {
-  Axes all = as_programmed(turn.drives, way);
+Axes turned_back_axes(const FrameTurn& turn, const Axes& travel) {
+  Axes all = as_programmed(turn.drives, travel);
   set_main(turn, all, turned_back(turn, of_main(turn, all)));
   return all;
 }

@@ -34,7 +34,7 @@ struct FrameTurn {
 /// turned_axes() returns the work coordinates rotated by the frame: `turn · work` on the main axes, other axes unchanged.
 /// turned_back_axes() is the inverse. turned() also accepts nullptr for `turn`, and then returns `work` unchanged.
 Axes turned_axes(const FrameTurn& turn, const Axes& work);
-Axes turned_back_axes(const FrameTurn& turn, const Axes& way);
+Axes turned_back_axes(const FrameTurn& turn, const Axes& travel);
 inline Axes turned(const FrameTurn* turn, const Axes& work) { return turn == nullptr ? work : turned_axes(*turn, work); }
 
 /// The position and direction of the tool in space.

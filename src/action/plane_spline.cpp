@@ -110,19 +110,19 @@ void PlaneSpline::measure(std::uint32_t piece, double from, double to, double wh
 /// Finds the point at the fraction `part` (0 to 1) of the length, by Newton's method between two nodes. A Newton step that would leave the
 /// interval between the nodes is replaced by bisection.
 PlaneSpline::Place PlaneSpline::place_of(double part) const {
-  const double wanted = part * length();
-  const auto next = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, wanted, [](double l, const Node& n) { return l < n.length; });
+  const double target = part * length();
+  const auto next = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, target, [](double l, const Node& n) { return l < n.length; });
   const Node& before = *(next - 1);
   const std::uint32_t piece = next->piece;
   const double start = before.piece == piece ? before.t : 0;
   double low = start, high = next->t;
   const double span = next->length - before.length;
   if (!(span > 0)) return {piece, low};
-  double t = low + (high - low) * (wanted - before.length) / span;
+  double t = low + (high - low) * (target - before.length) / span;
   constexpr int max_steps = 60;
   constexpr double near_enough = 1e-13;
   for (int step = 0; step < max_steps; ++step) {
-    const double off = before.length + length_between(piece, start, t) - wanted;
+    const double off = before.length + length_between(piece, start, t) - target;
     (off > 0 ? high : low) = t;
     const double rate = speed({piece, t});
     double better = rate > 0 ? t - off / rate : low;
@@ -142,8 +142,8 @@ Vec2 PlaneSpline::at(double part) const {
 
 Vec2 PlaneSpline::direction(double part) const {
   if (!(length() > 0)) return {};
-  constexpr double beside = 1e-5;  // distance to the nearby point whose tangent is used, as a fraction of the curve's length
-  for (const double shift : {0.0, beside, 10 * beside, 100 * beside}) {
+  constexpr double nearby = 1e-5;  // distance to the nearby point whose tangent is used, as a fraction of the curve's length
+  for (const double shift : {0.0, nearby, 10 * nearby, 100 * nearby}) {
     const double there = std::clamp(part < 0.5 ? part + shift : part - shift, 0.0, 1.0);
     const Vec2 rate = motion(place_of(there)).rate;
     const double speed_there = kadr::length(rate);
@@ -214,14 +214,14 @@ int PlaneSpline::samples() const { return static_cast<int>(std::min<std::size_t>
 /// Returns the greatest distance of the curve from the chord between two fractions of its length, sampled at `places` - 1 inner points.
 /// `start` and `end` are the points at these two fractions.
 double PlaneSpline::off_chord(double from, double to, Vec2 start, Vec2 end, int places) const {
-  const Vec2 way = end - start;
-  const double squared = dot(way, way);
+  const Vec2 delta = end - start;
+  const double squared = dot(delta, delta);
   double worst = 0;
   for (int i = 1; i < places; ++i) {
     const Vec2 off = at(from + (to - from) * i / places) - start;
     // At a cusp, the point of the line that is nearest to the sample may lie beyond the chord's end, so it is clamped to the chord.
-    const double along = squared > 0 ? std::clamp(dot(way, off) / squared, 0.0, 1.0) : 0;
-    worst = std::max(worst, kadr::length(off - along * way));
+    const double along = squared > 0 ? std::clamp(dot(delta, off) / squared, 0.0, 1.0) : 0;
+    worst = std::max(worst, kadr::length(off - along * delta));
   }
   return worst;
 }
@@ -249,9 +249,9 @@ int PlaneSpline::pieces(double from, double to, double chord) const {
       worst = std::max(worst, off);
       before = after;
     }
-    const double wanted = std::ceil(count * std::sqrt(worst / (used * chord)));
+    const double target = std::ceil(count * std::sqrt(worst / (used * chord)));
     if (worst <= used * chord || count >= max_spline_pieces) return static_cast<int>(count);
-    count = std::min<double>(max_spline_pieces, std::clamp(wanted, count + 1, fastest_rise * count));
+    count = std::min<double>(max_spline_pieces, std::clamp(target, count + 1, fastest_rise * count));
   }
 }
 

@@ -40,9 +40,9 @@ PolarAxes PolarPath::rates(double part) const {
 
 double PolarPath::nearest() const {
   if (!path_.is_arc()) {
-    const Vec2 from = path_.at(0), way = path_.rate(0);
-    const double square = dot(way, way);
-    return square == 0 ? 0 : std::clamp(-dot(from, way) / square, 0.0, 1.0);
+    const Vec2 from = path_.at(0), along = path_.rate(0);
+    const double square = dot(along, along);
+    return square == 0 ? 0 : std::clamp(-dot(from, along) / square, 0.0, 1.0);
   }
   const auto distance_at = [&](double part) { return distance(part); };
   const int samples = path_.samples();

@@ -42,8 +42,8 @@ inline bool controls_tip(const ToolPosition& from, const Motion& motion) {
 inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   if (part <= 0) return from.machine;
   if (part >= 1) return motion.machine;
-  const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
-  const Axes tool = way != nullptr ? way->at(part, work) : work;
+  const TipPath* const tip_path = motion.detail ? motion.detail->tip_path.get() : nullptr;
+  const Axes tool = tip_path != nullptr ? tip_path->at(part, work) : work;
   Axes plainly = motion.machine;
   for (std::size_t i = 0; i < max_axes; ++i) plainly[i] += tool[i] - motion.to[i];
   return from.space->machine_of(tool, plainly);
@@ -51,22 +51,22 @@ inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes
 
 /// Returns the position of the tip relative to the part, in the work system, at `part` (0 to 1) of a motion with tool centre point control.
 inline Vec3 controlled_tip(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
-  const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
-  const Axes at = from.space->in_system(way != nullptr ? way->at(part, work) : work);
+  const TipPath* const tip_path = motion.detail ? motion.detail->tip_path.get() : nullptr;
+  const Axes at = from.space->in_system(tip_path != nullptr ? tip_path->at(part, work) : work);
   const auto of = [&](std::size_t i) { return roles.xyz[i] < 0 ? 0.0 : at[static_cast<std::size_t>(roles.xyz[i])]; };
   return {of(0), of(1), of(2)};
 }
 
 /// Sets the follower axes and the parked axes in `machine`. A follower axis copies the travel of its master, or the calculated travel if
-/// the master is parked. A parked axis keeps its position from the start of the motion. `ways`: work coordinates at `part`, rotated by the
-/// frame.
-inline void follow_along(const ToolPosition& from, const Motion& motion, const Axes& ways, double part, Axes& machine) {
+/// the master is parked. A parked axis keeps its position from the start of the motion. `turned_work`: work coordinates at `part`, rotated
+/// by the frame.
+inline void follow_along(const ToolPosition& from, const Motion& motion, const Axes& turned_work, double part, Axes& machine) {
   const AxisMask parked = motion.detail->parked;
   const auto stands = [&](std::size_t axis) { return (parked >> axis & 1U) != 0; };
   const Axes start = parked != 0 ? turned(from.turn.get(), from.work) : Axes{};
   for (const Follower& f : motion.detail->followers) {
-    const double way = stands(f.master) ? ways[f.master] - start[f.master] : machine[f.master] - from.machine[f.master];
-    machine[f.axis] = part < 1 ? from.machine[f.axis] + f.sign * way : motion.machine[f.axis];
+    const double travel = stands(f.master) ? turned_work[f.master] - start[f.master] : machine[f.master] - from.machine[f.master];
+    machine[f.axis] = part < 1 ? from.machine[f.axis] + f.sign * travel : motion.machine[f.axis];
   }
   for (AxisMask left = parked; left != 0; left &= left - 1) {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(left));

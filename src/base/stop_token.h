@@ -12,7 +12,7 @@ class StopToken {
   StopToken() = default;  // creates a token that never requests a stop
   explicit StopToken(const std::atomic<bool>& flag) : flag_(&flag) {}
 
-  bool asked() const { return flag_ != nullptr && flag_->load(std::memory_order_relaxed); }
+  bool requested() const { return flag_ != nullptr && flag_->load(std::memory_order_relaxed); }
 
  private:
   const std::atomic<bool>* flag_ = nullptr;

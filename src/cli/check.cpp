@@ -38,7 +38,7 @@ struct Report {
   std::vector<Unreadable> unreadable;
 
   void add(const AlarmReport& report, Finding finding, Found& found) {
-    if (text != nullptr) found.tell(report);
+    if (text != nullptr) found.print_report(report);
     else findings.push_back(std::move(finding));
   }
 };
@@ -102,8 +102,8 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   Progress progress(options.quiet);
   Found found(job->texts(), language(options), report.text, options.every);
   Collector collector(*job, options, report, found);
-  ProgramCheck check({job->stated, basis, one_pass, &progress, stop_token()}, [&](std::size_t, const AlarmReport& told) {
-    collector.take(told);
+  ProgramCheck check({job->stated, basis, one_pass, &progress, stop_token()}, [&](std::size_t, const AlarmReport& report) {
+    collector.take(report);
     return true;
   });
   Checked worst = Checked::clean;

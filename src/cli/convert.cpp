@@ -30,7 +30,7 @@ namespace {
 constexpr double least_apart = 1e-5, most_apart = 10;  // limits of the value of --tolerance, mm
 
 // names of the methods of conversion, in the order of the enum ConvertedAs
-constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};
+constexpr std::array<const char*, 5> method_names = {"text", "words", "codes", "centre", "plain"};
 
 class ConvertCommand {
  public:
@@ -66,7 +66,7 @@ class ConvertCommand {
       return wrong_usage;
     }
     if (interrupted()) return interrupted_status();
-    return tell(*made);
+    return print_result(*made);
   }
 
  private:
@@ -86,7 +86,7 @@ class ConvertCommand {
     ConversionSpec spec;
     spec.to = to_.get();
     spec.flat = o_.flat;
-    if (!o_.way.empty()) spec.only = ConvertedAs(std::find(ways.begin(), ways.end(), o_.way) - ways.begin());
+    if (!o_.method.empty()) spec.only = ConvertedAs(std::find(method_names.begin(), method_names.end(), o_.method) - method_names.begin());
     spec.letters = letters_;
     spec.stop = o_.run.limits.stop;
     spec.tolerance = o_.tolerance;
@@ -104,7 +104,7 @@ class ConvertCommand {
     return spec;
   }
 
-  int tell(const Converted& made) {
+  int print_result(const Converted& made) {
     const auto of_target = AlarmTexts::load(to_.get());
     if (!of_target) {
       complain(of_target.error());
@@ -120,7 +120,7 @@ class ConvertCommand {
     const ConversionTry& one = made.tries[made.taken ? *made.taken : *unproven];
     if (const std::string why = refused_by_control(beginning_of(one), o_.to, language(o_.run)); !why.empty()) {
       complain(translated(texts::convert_command::not_read_as_program));
-      say(fmt::format("  {}\n", why));
+      write_message(fmt::format("  {}\n", why));
       return alarms;
     }
     if (!outputs_.open()) return wrong_usage;
@@ -134,9 +134,9 @@ class ConvertCommand {
     }
     if (!outputs_.keep()) return wrong_usage;
     if (unproven) return alarms;
-    say(fmt::format("{}\n{}\n", summary_of(one.proof, language(o_.run)),
-                    translated(texts::convert_command::written_as, method_in_words(one.as))));
-    for (const std::string& note : notes_on(made, one)) say(fmt::format("  {}\n", note));
+    write_message(fmt::format("{}\n{}\n", summary_of(one.proof, language(o_.run)),
+                              translated(texts::convert_command::written_as, method_in_words(one.as))));
+    for (const std::string& note : notes_on(made, one)) write_message(fmt::format("  {}\n", note));
     explain(one, sides);
     print_reasons(made, *made.taken, sides);
     return ok;
@@ -180,7 +180,7 @@ class ConvertCommand {
     for (const WrittenOut& out : one.written_out) {
       const std::string lines =
           out.lines.first == out.lines.last ? fmt::format("{}", out.lines.first) : fmt::format("{}-{}", out.lines.first, out.lines.last);
-      say(fmt::format("  {}\n", translated(texts::convert_command::written_out, job_->file, lines, why_written_out(out, sides))));
+      write_message(fmt::format("  {}\n", translated(texts::convert_command::written_out, job_->file, lines, why_written_out(out, sides))));
     }
   }
   /// Prints why the first `count` methods of conversion were not used. Methods with the same reason are printed in one line.
@@ -196,10 +196,11 @@ class ConvertCommand {
     for (std::size_t i = 0; i < count; ++i) {
       if (std::any_of(whys.begin(), whys.begin() + std::ptrdiff_t(i), [&](const auto& before) { return is_same(before, whys[i]); }))
         continue;
-      std::string ways = translated(texts::convert_command::not_this_way, method_in_words(made.tries[i].as));
+      std::string reasons = translated(texts::convert_command::not_this_way, method_in_words(made.tries[i].as));
       for (std::size_t k = i + 1; k < count; ++k)
-        if (is_same(whys[i], whys[k])) ways += ", " + translated(texts::convert_command::not_this_way, method_in_words(made.tries[k].as));
-      say(fmt::format("  {}: {}{}\n", ways, place_of(whys[i]), whys[i].text));
+        if (is_same(whys[i], whys[k]))
+          reasons += ", " + translated(texts::convert_command::not_this_way, method_in_words(made.tries[k].as));
+      write_message(fmt::format("  {}: {}{}\n", reasons, place_of(whys[i]), whys[i].text));
     }
   }
 
@@ -234,7 +235,7 @@ void add_convert(CLI::App& app, Commands& c) {
   convert->add_flag("--flat", o.flat, translated(texts::convert_command::flat));
   convert->add_flag("--explain", o.explain, translated(texts::convert_command::explain));
   convert->add_flag("--force", o.force, translated(texts::convert_command::by_force));
-  one_of(convert->add_option("--way", o.way, translated(texts::convert_command::only_way)), {ways.begin(), ways.end()});
+  one_of(convert->add_option("--way", o.method, translated(texts::convert_command::only_way)), {method_names.begin(), method_names.end()});
   number(convert->add_option("--tolerance", o.tolerance, translated(texts::convert_command::tolerance)), plain_text(texts::values::mm),
          least_apart, most_apart);
   program_options(*convert, o.run);

@@ -93,8 +93,8 @@ bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, 
     complain(drawn.error());
     return false;
   }
-  const bool says = options.json != "-" && options.out != "-" && options.blocks != "-" && options.deviation != "-";
-  if (!options.run.quiet && says) type_out("{}", cut_summary(result, language(options.run)));
+  const bool prints_summary = options.json != "-" && options.out != "-" && options.blocks != "-" && options.deviation != "-";
+  if (!options.run.quiet && prints_summary) type_out("{}", cut_summary(result, language(options.run)));
   return outputs.keep();
 }
 
@@ -125,7 +125,7 @@ int print_results(const CutOptions& options, const Job& job, const CutJob& cut_j
   }
   if (interrupted()) return interrupted_status();
   erase_bar();
-  if (const std::string note = too_coarse_message(result, language(options.run)); !note.empty()) say(note + "\n");
+  if (const std::string note = too_coarse_message(result, language(options.run)); !note.empty()) write_message(note + "\n");
   if (!write_results(options, job, outputs, {surface, held, run, stock}, result)) return interrupted() ? interrupted_status() : wrong_usage;
   const bool part_is_wrong = result.part && (result.part->is_gouged() || result.part->is_left_on());
   return run.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
@@ -137,7 +137,7 @@ std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options,
   std::vector<std::string> notes;
   auto watch =
       watch_bodies(session, cut, work_of(cut, options.stock, options.fixtures, options.fixtures), options.max_memory * bytes_of_mb, notes);
-  for (const std::string& note : notes) say(note + "\n");
+  for (const std::string& note : notes) write_message(note + "\n");
   if (!watch) {
     complain(watch.error());
     return std::nullopt;
@@ -146,10 +146,10 @@ std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options,
 }
 
 void print_to_terminal(Found& found, std::FILE* blocks, CutRun& run) {
-  const auto tell = [&found](const AlarmReport& report) { found.tell(report); };
-  run.on_report = tell;
-  run.on_finding = [tell](const CutFinding&, const AlarmReport& report) { tell(report); };
-  run.on_note = [](const std::string& note) { say(note + "\n"); };
+  const auto print_report = [&found](const AlarmReport& report) { found.print_report(report); };
+  run.on_report = print_report;
+  run.on_finding = [print_report](const CutFinding&, const AlarmReport& report) { print_report(report); };
+  run.on_note = [](const std::string& note) { write_message(note + "\n"); };
   if (blocks == nullptr) return;
   write_data(blocks, blocks_heading());
   run.on_block([blocks](const BlockLoad& load) { write_data(blocks, blocks_row(load)); });

@@ -39,7 +39,7 @@ bool take_stock(const StockGuess& guess, const ProgramRun& run, const std::vecto
   const Vec3 zero = run.path().zero();
   stock = guess.text(zero, is_turning(run) && guess.is_flat(zero), radii_of(tools));
   if (stock.empty()) complain(translated(texts::cut_command::cuts_nothing));
-  else say(translated(texts::cut_command::stock_guessed, stock) + "\n");
+  else write_message(translated(texts::cut_command::stock_guessed, stock) + "\n");
   return !stock.empty();
 }
 
@@ -52,7 +52,7 @@ bool take_tools(const std::vector<ProposedTool>& proposals, ToolLibrary& tools) 
       continue;
     }
     tools.tools.push_back(tool);
-    say(translated(texts::cut_command::tool_guessed, tool.number, name_of(tool.kind), tool.diameter, proposed.from) + "\n");
+    write_message(translated(texts::cut_command::tool_guessed, tool.number, name_of(tool.kind), tool.diameter, proposed.from) + "\n");
   }
   if (!unknown.empty()) complain(translated(texts::cut_command::tools_unknown, unknown));
   return unknown.empty();
@@ -77,7 +77,7 @@ bool guess_blank_and_tools(CutOptions& options, const Job& job, ToolLibrary& too
     if (channel == 0) guess.take(piece);
   };
   (*run)->execute();
-  if (options.run.limits.stop.asked()) return false;
+  if (options.run.limits.stop.requested()) return false;
   const std::vector<ProposedTool> proposals = tools_of(options, **run);
   const bool has_stock = !stock || take_stock(guess, **run, proposals, options.stock);
   return (!shapes || take_tools(proposals, tools)) && has_stock;

@@ -42,7 +42,7 @@ std::shared_ptr<const Blank> named_body(const char* option, const std::string& t
     complain(fmt::format("{} {}", option, named.error()));
     return nullptr;
   }
-  for (const std::string& note : named->notes) say(note + "\n");
+  for (const std::string& note : named->notes) write_message(note + "\n");
   return named->body;
 }
 
@@ -64,7 +64,7 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
     complain("--part " + solid.error());
     return false;
   }
-  for (const std::string& note : solid->notes) say(note + "\n");
+  for (const std::string& note : solid->notes) write_message(note + "\n");
   part = std::move(solid->mesh);
   return true;
 }
@@ -97,7 +97,7 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
   const double most = options.max_memory * bytes_per_mb;
   job.blank = named_body("--stock", options.stock, most);
   if (!job.blank) return false;
-  if (job.blank->overlaps()) say(translated(texts::cut_command::bodies_overlap, options.stock) + "\n");
+  if (job.blank->overlaps()) write_message(translated(texts::cut_command::bodies_overlap, options.stock) + "\n");
   for (const std::string& text : options.fixtures)
     if (!job.fixtures.emplace_back(named_body("--fixture", text, most))) return false;
   if (!find_lattices(options, part, most, job)) return false;
@@ -117,7 +117,7 @@ bool find_tools(const CutOptions& options, CutJob& job) {
     complain(tools.error());
     return false;
   }
-  for (const std::string& note : tools->notes) say(note + "\n");
+  for (const std::string& note : tools->notes) write_message(note + "\n");
   job.tools = std::move(*tools);
   return true;
 }

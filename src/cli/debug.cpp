@@ -23,11 +23,11 @@ namespace kadr::cli {
 namespace {
 
 /// A command of the debugger: the first word of the line, and the rest of the line.
-struct Said {
+struct DebugCommand {
   std::string word, rest;
 };
 
-Said split(const std::string& line) {
+DebugCommand split(const std::string& line) {
   const std::size_t begin = line.find_first_not_of(" \t\r");
   if (begin == std::string::npos) return {};
   const std::size_t end = std::min(line.find_first_of(" \t\r", begin), line.size());
@@ -74,9 +74,9 @@ class Debugger : public PartOfProgram {
   bool wants_summary() const override { return finished_; }
 
  private:
-  void obey(const Said& said) {
+  void obey(const DebugCommand& command) {
     using How = Stepping::How;
-    const auto& [word, rest] = said;
+    const auto& [word, rest] = command;
     if (word.empty() || word[0] == '#') return;  // a script of commands may contain comments
     if (word == "step" || word == "s") return move(How::block, rest);
     if (word == "next" || word == "n") return move(How::over, rest);
@@ -111,8 +111,8 @@ class Debugger : public PartOfProgram {
   /// Stores the state of the session before a command. back() can then restore that state.
   void keep() {
     constexpr std::size_t most = 200;
-    if (auto now = stepping().snapshot()) kept_.push_back(std::move(*now));
-    if (kept_.size() > most) kept_.pop_front();
+    if (auto now = stepping().snapshot()) snapshots_.push_back(std::move(*now));
+    if (snapshots_.size() > most) snapshots_.pop_front();
   }
 
   void move(Stepping::How how, const std::string& times) {
@@ -161,7 +161,7 @@ class Debugger : public PartOfProgram {
     if (!session_->control().search_rules()) return type_out("{}\n", translated(texts::debug::no_block_search));
     keep();
     if (first_)  // the control's block search starts at the beginning of the program, so the state there is restored
-      if (const Status restored = stepping().restore(*first_); !restored) return tell(restored.error(), "");
+      if (const Status restored = stepping().restore(*first_); !restored) return print_alarm(restored.error(), "");
     print_search(*session_, stepping(), *target, job_->lang);
     // after the end of the program, go_on() returns how the program ended
     state_ = stepping().next() ? Session::State::held : session_->go_on();
@@ -178,11 +178,11 @@ class Debugger : public PartOfProgram {
   void back(const std::string& times) {
     const auto count = count_of(times, 1);
     if (!count || *count == 0) return wrong(times);
-    if (kept_.empty()) return type_out("{}\n", translated(texts::debug::nothing_to_go_back_to));
-    for (std::uint32_t i = 1; i < *count && kept_.size() > 1; ++i) kept_.pop_back();
-    const Status restored = stepping().restore(kept_.back());
-    kept_.pop_back();
-    if (!restored) return tell(restored.error(), "");
+    if (snapshots_.empty()) return type_out("{}\n", translated(texts::debug::nothing_to_go_back_to));
+    for (std::uint32_t i = 1; i < *count && snapshots_.size() > 1; ++i) snapshots_.pop_back();
+    const Status restored = stepping().restore(snapshots_.back());
+    snapshots_.pop_back();
+    if (!restored) return print_alarm(restored.error(), "");
     state_ = Session::State::held;
     show();
   }
@@ -206,7 +206,7 @@ class Debugger : public PartOfProgram {
       return wrong(text);
     }
     if (!point.condition.empty())
-      if (const auto holds = stepping().holds(point.condition); !holds) return tell(holds.error(), point.condition);
+      if (const auto holds = stepping().holds(point.condition); !holds) return print_alarm(holds.error(), point.condition);
     type_out("{}\n", translated(texts::debug::breakpoint, stepping().add(point)));
   }
 
@@ -227,12 +227,12 @@ class Debugger : public PartOfProgram {
 
   void print(const std::string& expression) {
     const auto value = stepping().value(expression);
-    if (!value) return tell(value.error(), expression);
+    if (!value) return print_alarm(value.error(), expression);
     type_out("{} = {}\n", expression, is_vacant(*value) ? translated(texts::debug::vacant) : fmt::format("{:.12g}", *value));
   }
 
   void watch(const std::string& expression) {
-    if (const auto value = stepping().value(expression); !value) return tell(value.error(), expression);
+    if (const auto value = stepping().value(expression); !value) return print_alarm(value.error(), expression);
     watches_[watches_.empty() ? 1 : watches_.rbegin()->first + 1] = expression;
     print(expression);
   }
@@ -255,9 +255,9 @@ class Debugger : public PartOfProgram {
     const auto& next = stepping().next();
     if (!next) return;
     const std::uint32_t first = next->line > *count / 2 ? next->line - *count / 2 : 1;
-    std::set<std::uint32_t> wanted;
-    for (std::uint32_t i = 0; i < std::min(*count, 1000U); ++i) wanted.insert(first + i);
-    for (const auto& [line, shown] : session_->control().texts_of(wanted, next->file))
+    std::set<std::uint32_t> lines;
+    for (std::uint32_t i = 0; i < std::min(*count, 1000U); ++i) lines.insert(first + i);
+    for (const auto& [line, shown] : session_->control().texts_of(lines, next->file))
       type_out("{} {:>5}  {}\n", line == next->line ? "▸" : " ", line, shown.substr(0, shown.find_last_not_of(" \t\r\n") + 1));
   }
 
@@ -282,11 +282,11 @@ class Debugger : public PartOfProgram {
   void wrong(const std::string& text) const { type_out("{}\n", translated(texts::debug::not_understood, text)); }
 
   /// Prints an alarm about the text that the user has typed.
-  void tell(const Alarm& alarm, const std::string& typed) const {
+  void print_alarm(const Alarm& alarm, const std::string& typed) const {
     AlarmReport report{alarm, translated(texts::debug::command), typed, {}, {}, {}};
     report.origin.line = 1;
     report.origin.column = alarm.where.begin + 1;
-    say(alarm_text(report, job_->texts(), job_->lang, colours()));
+    write_message(alarm_text(report, job_->texts(), job_->lang, colours()));
   }
 
   Session* session_ = nullptr;
@@ -295,7 +295,7 @@ class Debugger : public PartOfProgram {
   const bool begins_inside_;
   Session::State state_ = Session::State::held;
   std::optional<Stepping::Memory> first_;  // snapshot of the run before the first block of the program
-  std::deque<Stepping::Memory> kept_;
+  std::deque<Stepping::Memory> snapshots_;
   std::map<std::size_t, std::string> watches_;
   bool quit_ = false, finished_ = false;
 };

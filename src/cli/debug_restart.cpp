@@ -30,12 +30,12 @@ void print_restart(Session& session, const Stepping& stepping, const Restart& be
   constexpr double above = 2, feed = 100;
   const auto restart = restart_here(session, stepping);
   if (!restart) return;
-  std::vector<InForce> wanted;
+  std::vector<InForce> required;
   for (const Difference& d : differences(restart->in_force, begins.in_force))
-    if (d.wanted) wanted.push_back(*d.wanted);
+    if (d.required) required.push_back(*d.required);
   const ControlDef& def = session.def();
-  const auto way = way_there(begins.stand, *restart, {clearance, above, feed}, session.control().axes().size());
-  const auto blocks = restart_blocks(def, wanted, restart->in_force, in_work_coordinates(way, *restart, def));
+  const auto path = path_there(begins.stand, *restart, {clearance, above, feed}, session.control().axes().size());
+  const auto blocks = restart_blocks(def, required, restart->in_force, in_work_coordinates(path, *restart, def));
   if (!blocks) return type_out("{}\n", translated(texts::debug::no_room_in_word));
   for (const std::string& block : blocks->blocks) type_out("{}\n", block);
   list(translated(texts::debug::by_hand), blocks->by_hand, lang);

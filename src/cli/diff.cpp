@@ -99,7 +99,7 @@ void show(Side& a, Side& b, const Comparison& c, const Showing& how) {
 }
 
 void print_alarm(const Side& side, const std::optional<AlarmReport>& report, Lang lang) {
-  if (report) say(alarm_text(*report, side.job->texts(), lang, colours()));
+  if (report) write_message(alarm_text(*report, side.job->texts(), lang, colours()));
 }
 
 void print_all(const DiffOptions& o, Side& a, Side& b, const Comparison& made) {

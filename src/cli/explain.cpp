@@ -57,7 +57,7 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
 /// Prints the texts of all built-in controls about a code, an alarm or words. Controls with the same text are printed together.
 int explain_everywhere(const std::string& what, const std::string& refusal, Lang lang) {
   // pairs of a text and the ids of the controls to which the text applies
-  std::vector<std::pair<std::string, std::vector<std::string>>> said;
+  std::vector<std::pair<std::string, std::vector<std::string>>> answers;
   const std::vector<std::string> all = built_in_controls();
   for (const std::string& id : all) {
     const auto def = load_control(id);
@@ -67,15 +67,15 @@ int explain_everywhere(const std::string& what, const std::string& refusal, Lang
     auto text = explain_code(*def, *texts, what, lang);
     if (!text) text = explain_words(*def, *texts, what, lang);
     if (!text) continue;
-    const auto same = std::find_if(said.begin(), said.end(), [&](const auto& one) { return one.first == *text; });
-    if (same != said.end()) same->second.push_back(id);
-    else said.push_back({*text, {id}});
+    const auto same = std::find_if(answers.begin(), answers.end(), [&](const auto& one) { return one.first == *text; });
+    if (same != answers.end()) same->second.push_back(id);
+    else answers.push_back({*text, {id}});
   }
-  for (const auto& [text, ids] : said) {
+  for (const auto& [text, ids] : answers) {
     const bool is_named = text.starts_with(ids.front() + " ") || text.starts_with(ids.front() + ":");
     type_out("{}{}", is_named || ids.size() == all.size() ? std::string() : fmt::format("{}: ", fmt::join(ids, ", ")), text);
   }
-  if (!said.empty()) return ok;
+  if (!answers.empty()) return ok;
   complain(refusal);
   return wrong_usage;
 }

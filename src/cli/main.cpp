@@ -17,7 +17,7 @@
 namespace kadr::cli {
 
 Lang language(const Options& options) {
-  if (const std::optional<Lang> asked = language_named(options.lang)) return *asked;
+  if (const std::optional<Lang> selected = language_named(options.lang)) return *selected;
   for (const char* const name : {"LC_ALL", "LC_MESSAGES", "LANG"})
     if (const char* const value = std::getenv(name); value != nullptr && *value != '\0') return language_named(value).value_or(Lang::en);
   return Lang::en;

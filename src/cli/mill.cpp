@@ -32,12 +32,12 @@ class MillCommand {
     const auto text = read_small(options_.contour, limits::drawing_bytes);
     if (!text) return wrong_usage;
     if (const auto job = mill_job(options_); !job) {
-      say(job.error());
+      write_message(job.error());
       return wrong_usage;
     }
     const auto made = milled(options_, *text, def_, watch());
     if (!made) {
-      say(made.error(), *text);
+      write_message(made.error(), *text);
       return alarms;
     }
     progress_.reset();
@@ -62,17 +62,17 @@ class MillCommand {
   }
 
   /// Prints an alarm that concerns the whole job and no line of the drawing.
-  void say(const Alarm& alarm) {
+  void write_message(const Alarm& alarm) {
     progress_.reset();
     if (alarm.id == AlarmId::interrupted) return complain(translated_in(lang_, texts::mill_command::interrupted));
     complain(fmt::format("{}: {}: {}", options_.contour, name_of(alarm.id), texts_.sentence(alarm, lang_)));
-    if (const std::string hint = texts_.hint(alarm, lang_); !hint.empty()) kadr::cli::say("  " + hint + "\n");
+    if (const std::string hint = texts_.hint(alarm, lang_); !hint.empty()) kadr::cli::write_message("  " + hint + "\n");
   }
 
-  void say(const DrawingFault& fault, std::string_view text) {
+  void write_message(const DrawingFault& fault, std::string_view text) {
     progress_.reset();
-    if (fault.line == 0) return say(fault.alarm);
-    kadr::cli::say(alarm_text(report_of(fault, text, options_.contour), texts_, lang_, colours()));
+    if (fault.line == 0) return write_message(fault.alarm);
+    kadr::cli::write_message(alarm_text(report_of(fault, text, options_.contour), texts_, lang_, colours()));
   }
 
   bool draw(const Milled& made) const {

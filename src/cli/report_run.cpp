@@ -85,9 +85,9 @@ class ReportRun {
 
   void execute() {
     run_->on_alarm = [this](const AlarmReport& report, double at, int channel) {
-      AlarmReport told_report = report;
-      if (channel != 0) told_report.origin.line = 0;  // the line is removed, since it is in the program of another channel
-      take(told_report, at);
+      AlarmReport shown_report = report;
+      if (channel != 0) shown_report.origin.line = 0;  // the line is removed, since it is in the program of another channel
+      take(shown_report, at);
     };
     run_->on_progress = [this](double part, std::uint64_t blocks, double) {
       if (progress_.is_due()) progress_.show(part, counted(texts::report_command::blocks, blocks));
@@ -116,10 +116,10 @@ class ReportRun {
     };
     (*part)->on_finding = [this](const CutFinding& f, const AlarmReport& report) {
       part_.hits.push_back({f, report});
-      say(alarm_text(report, job_.texts(), job_.lang, colours()));
+      write_message(alarm_text(report, job_.texts(), job_.lang, colours()));
     };
     if (const auto done = (*part)->execute(); !done) return interrupted() || (complain(done.error()), false);
-    for (const std::string& note : (*part)->notes()) say(note + "\n");
+    for (const std::string& note : (*part)->notes()) write_message(note + "\n");
     erase_bar();
     take_part(**part, part_, stop_token());
     cut_ = (*part)->result();
@@ -130,7 +130,7 @@ class ReportRun {
  private:
   void take(const AlarmReport& report, double at) {
     alarms_.push_back({report, at});
-    found_.tell(report);
+    found_.print_report(report);
   }
 
   const Job& job_;
@@ -184,7 +184,7 @@ int report(const ReportOptions& options) {
       complain(library.error());
       return wrong_usage;
     }
-    for (const std::string& note : library->notes) say(note + "\n");
+    for (const std::string& note : library->notes) write_message(note + "\n");
     tools = std::move(*library);
   }
   opened->tools = options.cut.tools.empty() ? tool_table_next_to(job->file)

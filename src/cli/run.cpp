@@ -126,15 +126,15 @@ class RunCommand {
  private:
   /// Returns the functions that observe one channel, except the function that observes its steps.
   Outlets outlets_of(View& view) {
-    const auto say = [this, &view](const AlarmReport& report) {
+    const auto warn = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
-      found_.tell(report);
+      found_.print_report(report);
     };
     return {.step = {},
-            .warning = say,
+            .warning = warn,
             .alarm =
-                [say](const AlarmReport& report) {
-                  say(report);
+                [warn](const AlarmReport& report) {
+                  warn(report);
                   return false;
                 },
             .progress_display = &progress_,
@@ -190,7 +190,7 @@ class RunCommand {
   void warn_unstated() {
     for (const Channel& channel : channels_) {
       if (channel.number != job_.setup.channel) continue;
-      if (const auto note = unstated(*channel.control, *job_.def, job_.setup, job_.stated)) found_.tell(*note);
+      if (const auto note = unstated(*channel.control, *job_.def, job_.setup, job_.stated)) found_.print_report(*note);
     }
   }
 

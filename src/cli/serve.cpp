@@ -68,30 +68,30 @@ int serve(const ServeOptions& options) {
     complain(folder.error());
     return wrong_usage;
   }
-  ServedAddress wanted{options.host, std::uint16_t(options.port)};
+  ServedAddress requested_address{options.host, std::uint16_t(options.port)};
   LastOpened last;
   std::unique_ptr<PanelJournal> journal = std::make_unique<PanelJournal>();
   if (!options.state.empty()) {
-    auto kept = PanelJournal::open(options.state);
-    if (!kept) {
-      complain(kept.error());
+    auto opened = PanelJournal::open(options.state);
+    if (!opened) {
+      complain(opened.error());
       return wrong_usage;
     }
-    journal = std::move(*kept);
+    journal = std::move(*opened);
   }
   PanelHub hub;
   constexpr double bytes_of_mb = 1e6;
   const MemoryBound memory(std::size_t(options.max_memory * bytes_of_mb));
   const PageServer page{*folder,
                         new_token(),
-                        wanted.is_open() || !options.open,
+                        requested_address.is_open() || !options.open,
                         language_named(options.lang).value_or(Lang::en),
                         KADR_VERSION,
                         &last,
                         &hub,
                         journal.get(),
                         &memory};
-  const auto server = HttpServer::listen(wanted, page);
+  const auto server = HttpServer::listen(requested_address, page);
   if (!server) {
     complain(server.error());
     return wrong_usage;

@@ -49,7 +49,7 @@ class TemplateMaker {
   SetupTemplate make() {
     for (const Use& use : control_.use().all()) take(use);
     for (const auto& [tool, use] : tools_)
-      if (!told_.contains(tool)) warn_tool(tool, use);
+      if (!reported_.contains(tool)) warn_tool(tool, use);
     if (faults_ != 0) note(texts::setup_command_notes::faults, faults_);
     warn_branches();
     return std::move(made_);
@@ -105,14 +105,14 @@ class TemplateMaker {
     const std::string used_at = (use.tool != 0 ? fmt::format("T{}, ", use.tool) : "") + place(use.origin);
     const bool is_radius = std::string_view(what) == "radius";
     const auto proposal = is_radius && use.tool != 0 ? proposal_for(use.tool) : std::nullopt;
-    row->cells.emplace_back(what, proposal ? std::optional(*proposal->said.diameter / 2) : std::nullopt);
-    if (use.tool != 0 && is_radius) told_.insert(use.tool);
+    row->cells.emplace_back(what, proposal ? std::optional(*proposal->tool_data.diameter / 2) : std::nullopt);
+    if (use.tool != 0 && is_radius) reported_.insert(use.tool);
     if (proposal) note(texts::setup_command_notes::offset_proposed, used.key, used_at, proposal->line, proposal->text);
     else
       made_.notes.push_back(
           with_unsure(in_words(texts::setup_command_notes::offset, used.key, used_at, used.word), is_radius ? use.tool : 0));
-    if (proposal && proposal->said.corner && has(*job_.def, SetupNeeds::corner_radius))
-      row->cells.emplace_back("corner_radius", proposal->said.corner);
+    if (proposal && proposal->tool_data.corner && has(*job_.def, SetupNeeds::corner_radius))
+      row->cells.emplace_back("corner_radius", proposal->tool_data.corner);
   }
 
   void zero(const Use& use, const UsedKey& used) {
@@ -144,8 +144,8 @@ class TemplateMaker {
 
   void warn_tool(std::uint32_t tool, const Use& use) {
     if (const auto proposal = proposal_for(tool))
-      note(texts::setup_command_notes::diameter_by_comment, tool, place(use.origin), number_text(*proposal->said.diameter), proposal->line,
-           proposal->text);
+      note(texts::setup_command_notes::diameter_by_comment, tool, place(use.origin), number_text(*proposal->tool_data.diameter),
+           proposal->line, proposal->text);
     else made_.notes.push_back(with_unsure(fmt::format("T{}: {}", tool, place(use.origin)), tool));
   }
 
@@ -184,7 +184,7 @@ class TemplateMaker {
   const ProgramLines lines_;
   const ToolProposals proposals_;
   std::map<std::uint32_t, Use> tools_;
-  std::set<std::uint32_t> told_;
+  std::set<std::uint32_t> reported_;
   SetupTemplate made_;
 };
 
@@ -197,7 +197,7 @@ std::string tools_text(const Job& job, const Control& control, const MotionUnits
     ToolsTemplate::Row row{use.number, use.origin, {}, {}, {}};
     const std::uint32_t called_at = use.origin.file == 0 ? use.origin.line : 0;
     if (const auto proposal = proposals.of(use.number, called_at))
-      row.said = proposal->said, row.why = fmt::format("{} \"{}\"", proposal->line, proposal->text);
+      row.tool_data = proposal->tool_data, row.why = fmt::format("{} \"{}\"", proposal->line, proposal->text);
     else if (const auto comment = proposals.unsure(use.number, called_at))
       row.not_sure = fmt::format("{} \"{}\"", comment->line, comment->text);
     made.rows.push_back(std::move(row));

@@ -21,22 +21,22 @@ constexpr std::size_t longest_tape = 256u << 20;  // greatest size of a tape ima
 
 int decode(const TapeOptions& options, const std::string& rows, std::string& output, Lang lang) {
   const TapeReading read = read_tape(rows, tape_code_named(options.code));
-  const bool lies = read.lie != TapeOrientation::right;
-  if (lies) complain(translated_in(lang, texts::tape_command::tape_was, options.input, orientation_in_words(read.lie, lang)));
+  const bool is_turned = read.orientation != TapeOrientation::right;
+  if (is_turned) complain(translated_in(lang, texts::tape_command::tape_was, options.input, orientation_in_words(read.orientation, lang)));
   for (const TapeFault& fault : read.faults) complain(fmt::format("{}: {}", options.input, fault_in_words(fault, read.code, lang)));
   output = read.text;
-  return read.faults.empty() && !lies ? ok : alarms;
+  return read.faults.empty() && !is_turned ? ok : alarms;
 }
 
 int encode(const TapeOptions& options, const std::string& bytes, std::string& output, Lang lang) {
-  GivenEncoding said;
-  if (!read_encoding(options.encoding, said)) {
+  GivenEncoding given;
+  if (!read_encoding(options.encoding, given)) {
     complain(no_encoding(options.encoding, lang));
     return wrong_usage;
   }
-  const Encoding encoding = said.encoding ? *said.encoding : detect_encoding(bytes).value_or(Encoding::utf8);
+  const Encoding encoding = given.encoding ? *given.encoding : detect_encoding(bytes).value_or(Encoding::utf8);
   std::string text;
-  if (!append_if_utf16(bytes, said, text))
+  if (!append_if_utf16(bytes, given, text))
     if (const Status decoded = append_utf8(bytes, encoding, text); !decoded) {
       complain(translated_in(lang, texts::tape_command::byte_not_in_encoding, options.input, decoded.error().where.begin + 1,
                              name_of(encoding)));

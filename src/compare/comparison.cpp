@@ -81,11 +81,11 @@ class Comparer {
 
   Comparison all() {
     if (space_.distance(a_.at(), b_.at()) > rules_.tolerance) meet_again();
-    while (!out_.lost && !is_enough() && !rules_.stop.asked() &&
+    while (!out_.lost && !is_enough() && !rules_.stop.requested() &&
            (a_.item(0).kind != CourseItem::Kind::end || b_.item(0).kind != CourseItem::Kind::end))
       go_on();
-    if (!out_.lost && !is_enough() && !rules_.stop.asked()) ends();
-    out_.cancelled = rules_.stop.asked();
+    if (!out_.lost && !is_enough() && !rules_.stop.requested()) ends();
+    out_.cancelled = rules_.stop.requested();
     out_.moves_a = a_.moves(), out_.moves_b = b_.moves();
     out_.stopped_a = course_a_.stopped(), out_.stopped_b = course_b_.stopped();
     name_files(false, course_a_), name_files(true, course_b_);
@@ -147,12 +147,12 @@ class Comparer {
   }
 
   /// Moves the cursor of one course past motions that stay within the tolerance of the other course's position, up to an item for which
-  /// `wanted` is true. Returns false, and moves nothing, if there is no such item.
-  template <class Wanted>
-  bool pass_sliver(CourseCursor& lane, const CourseCursor& other, const Wanted& wanted) {
+  /// `is_sought` is true. Returns false, and moves nothing, if there is no such item.
+  template <class Condition>
+  bool pass_sliver(CourseCursor& lane, const CourseCursor& other, const Condition& is_sought) {
     for (std::size_t i = 0; i < max_sliver; ++i) {
       const CourseItem& item = lane.item(i);
-      if (i > 0 && wanted(item)) {
+      if (i > 0 && is_sought(item)) {
         lane.pass(i);
         return true;
       }
@@ -223,7 +223,7 @@ class Comparer {
     if (far_searches_ >= max_searches) return false;
     for (const bool strictly : {true, false})
       for (std::size_t sum = 1; sum < most_ahead; ++sum) {
-        if (rules_.stop.asked()) return false;
+        if (rules_.stop.requested()) return false;
         for (da = 0; da <= sum; ++da) {
           db = sum - da;
           if (is_common(da, db, strictly)) {
@@ -265,8 +265,8 @@ class Comparer {
     const auto [a_value, only_a] = acts(a_, da);
     const auto [b_value, only_b] = acts(b_, db);
     d.a_value = a_value, d.b_value = b_value;
-    d.kind = only_a && only_b ? Kind::act : Kind::way;
-    if (d.kind != Kind::way) return;
+    d.kind = only_a && only_b ? Kind::act : Kind::path;
+    if (d.kind != Kind::path) return;
     const Apart of_a = farthest(a_, da, b_, db), of_b = farthest(b_, db, a_, da);
     if (of_a.distance >= of_b.distance) d.distance = of_a.distance, d.a_far = of_a.vertex, d.b_far = of_a.nearest;
     else d.distance = of_b.distance, d.a_far = of_b.nearest, d.b_far = of_b.vertex;
@@ -294,7 +294,7 @@ class Comparer {
   }
 
   bool continues_last_difference(const CourseDifference& d) const {
-    if (out_.differences.empty() || out_.more > 0 || d.kind == Kind::way || d.kind == Kind::act || d.kind == Kind::end) return false;
+    if (out_.differences.empty() || out_.more > 0 || d.kind == Kind::path || d.kind == Kind::act || d.kind == Kind::end) return false;
     const CourseDifference& last = out_.differences.back();
     return last.kind == d.kind && last.a_value == d.a_value && last.b_value == d.b_value;
   }

@@ -55,8 +55,8 @@ struct CourseSpot {
 };
 
 struct CourseDifference {
-  enum class Kind : std::uint8_t { way, move, feed, tool, spindle, coolant, corners, act, end };
-  Kind kind = Kind::way;
+  enum class Kind : std::uint8_t { path, move, feed, tool, spindle, coolant, corners, act, end };
+  Kind kind = Kind::path;
   CourseSpot a, b;        // positions at which the difference begins in each program
   CourseSpot a_to, b_to;  // positions at which the difference ends: both programs do the same again from there
   // Greatest distance of a vertex of one path from the other path within this difference, mm; only for a difference of paths

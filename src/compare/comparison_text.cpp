@@ -31,9 +31,9 @@ constexpr std::array<KindText, 9> kinds = {{{"way", texts::comparison::another_w
 const char* name_of(CourseDifference::Kind kind) { return kinds[std::size_t(kind)].name; }
 
 std::string sentence_of(const CourseDifference& d, Lang lang) {
-  const auto value = [&](const std::string& says) { return says.empty() ? translated_in(lang, texts::comparison::nothing) : says; };
+  const auto value = [&](const std::string& text) { return text.empty() ? translated_in(lang, texts::comparison::nothing) : text; };
   std::string text = translated_in(lang, kinds[std::size_t(d.kind)].text);
-  if (d.kind != CourseDifference::Kind::way) return text + fmt::format(": {} — {}", value(d.a_value), value(d.b_value));
+  if (d.kind != CourseDifference::Kind::path) return text + fmt::format(": {} — {}", value(d.a_value), value(d.b_value));
   text = translated_in(lang, texts::comparison::apart, text, d.distance);
   if (!d.a_value.empty() || !d.b_value.empty()) text += fmt::format("; {} — {}", value(d.a_value), value(d.b_value));
   return text;

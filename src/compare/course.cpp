@@ -63,7 +63,7 @@ void Course::more(ItemRing& to) {
   const std::size_t before = to.size();
   ahead_ = &to;
   while (to.size() == before && !over_) {
-    over_ = stop_.asked() || session_->go_on() != Session::State::running;
+    over_ = stop_.requested() || session_->go_on() != Session::State::running;
     if (over_) end_.state = state_, to.add() = end_;
   }
 }

@@ -20,12 +20,12 @@ double CourseSpace::distance(const Axes& a, const Axes& b) const {
 }
 
 bool CourseSpace::is_off(const Axes& point, const Axes& from, const Axes& to, double most) const {
-  double way = 0, along = 0, sum = 0;
+  double squared_length = 0, along = 0, sum = 0;
   for (std::size_t i = 0; i < axes_; ++i) {
     const double w = to[i] - from[i];
-    way += w * w, along += w * (point[i] - from[i]);
+    squared_length += w * w, along += w * (point[i] - from[i]);
   }
-  const double foot = along >= way ? 1 : along <= 0 ? 0 : along / way;
+  const double foot = along >= squared_length ? 1 : along <= 0 ? 0 : along / squared_length;
   for (std::size_t i = 0; i < axes_; ++i) {
     const double d = point[i] - from[i] - foot * (to[i] - from[i]);
     sum += d * d;
@@ -40,22 +40,24 @@ Axes CourseSpace::between(const Axes& a, const Axes& b, double part) const {
 }
 
 CourseSpace::Interval CourseSpace::within(const Axes& point, const Axes& from, const Axes& to, double most) const {
-  double way = 0, along = 0, off = 0;  // sums over the axes: way = |to − from|², along = (point − from)·(to − from), off = |point − from|²
+  double squared_length = 0, along = 0,
+         off = 0;  // sums over the axes: way = |to − from|², along = (point − from)·(to − from), off = |point − from|²
   for (std::size_t i = 0; i < axes_; ++i) {
     const double w = to[i] - from[i], p = point[i] - from[i];
-    way += w * w, along += p * w, off += p * p;
+    squared_length += w * w, along += p * w, off += p * p;
   }
-  if (way <= no_length) return off <= most * most ? Interval{0, 1} : Interval{};
-  const double foot = along / way, beside = off - foot * along, free = most * most - beside;
+  if (squared_length <= no_length) return off <= most * most ? Interval{0, 1} : Interval{};
+  const double foot = along / squared_length, squared_distance = off - foot * along, free = most * most - squared_distance;
   if (!(free >= 0)) return {};
-  const double half = std::sqrt(free / way);
+  const double half = std::sqrt(free / squared_length);
   return {std::max(foot - half, 0.0), std::min(foot + half, 1.0)};
 }
 
 double CourseSpace::nearest(const Axes& point, const Axes& from, const Axes& to, Interval in) const {
-  double way = 0, along = 0;
-  for (std::size_t i = 0; i < axes_; ++i) way += (to[i] - from[i]) * (to[i] - from[i]), along += (point[i] - from[i]) * (to[i] - from[i]);
-  return way <= no_length ? in.last : std::clamp(along / way, in.first, in.last);
+  double squared_length = 0, along = 0;
+  for (std::size_t i = 0; i < axes_; ++i)
+    squared_length += (to[i] - from[i]) * (to[i] - from[i]), along += (point[i] - from[i]) * (to[i] - from[i]);
+  return squared_length <= no_length ? in.last : std::clamp(along / squared_length, in.first, in.last);
 }
 
 void CourseCursor::look_ahead(std::size_t i) {

@@ -33,7 +33,7 @@ Stroke stroke_of(CourseMove move) {
 
 bool is_of_state(CourseDifference::Kind kind) {
   using Kind = CourseDifference::Kind;
-  return kind != Kind::way && kind != Kind::act && kind != Kind::end;
+  return kind != Kind::path && kind != Kind::act && kind != Kind::end;
 }
 
 PlotTitle plot_title(const DifferenceTitle& title, const Comparison& made) {
@@ -127,7 +127,7 @@ void DifferencePlot::finish(Vec3 zero) {
 }
 
 PlotNumber DifferencePlot::number_of(const CourseDifference& d, std::size_t index) const {
-  if (d.kind == CourseDifference::Kind::way) return {index + 1, tip(d.b_far), false};
+  if (d.kind == CourseDifference::Kind::path) return {index + 1, tip(d.b_far), false};
   const bool moves = is_of_state(d.kind) && index < longest_.size() && longest_[index].length > 0;
   if (moves) return {index + 1, longest_[index].middle - zero_, false};
   return {index + 1, tip(d.a.stand), true};

@@ -11,10 +11,10 @@ namespace kadr {
 namespace {
 
 double distance_to_line(Vec3 p, Vec3 from, Vec3 to) {
-  const Vec3 way = to - from;
-  const double square = dot(way, way);
-  const double part = square > 0 ? std::clamp(dot(p - from, way) / square, 0.0, 1.0) : 0;
-  return length(p - (from + part * way));
+  const Vec3 delta = to - from;
+  const double square = dot(delta, delta);
+  const double part = square > 0 ? std::clamp(dot(p - from, delta) / square, 0.0, 1.0) : 0;
+  return length(p - (from + part * delta));
 }
 
 }  // namespace

@@ -29,12 +29,12 @@ void PieceFollower::end(bool counts) {
 }
 
 void PieceFollower::let_go(ComparedPiece::Part part) {
-  for (ComparedPiece& piece : waiting_) piece.part = part, told_(piece);
+  for (ComparedPiece& piece : waiting_) piece.part = part, report_(piece);
   waiting_.clear();
 }
 
 void PieceFollower::take(const CourseItem& item, const Axes& from, const Axes& to, bool of_b) {
-  if (!told_) return;
+  if (!report_) return;
   const bool act = item.kind != CourseItem::Kind::move;
   if (act && now_.part == ComparedPiece::Part::together) return;
   ComparedPiece piece = now_;
@@ -43,7 +43,7 @@ void PieceFollower::take(const CourseItem& item, const Axes& from, const Axes& t
   piece.from = from, piece.to = to;
   piece.origin = item.origin;
   if (item.origin.file != 0) files(of_b)[item.origin.file];
-  if (!waits_) return told_(piece);
+  if (!waits_) return report_(piece);
   waiting_.push_back(piece);
   if (!of_b && space_.distance(here_, to) > tolerance_) {
     let_go(ComparedPiece::Part::changed);

@@ -11,9 +11,9 @@ namespace kadr {
 
 class PieceFollower {
  public:
-  ///   told  the observer, which receives the segments; empty if there is no observer
-  PieceFollower(std::function<void(const ComparedPiece&)> told, const CourseSpace& space, double tolerance)
-      : told_(std::move(told)), space_(space), tolerance_(tolerance) {}
+  ///   report  the observer, which receives the segments; empty if there is no observer
+  PieceFollower(std::function<void(const ComparedPiece&)> report, const CourseSpace& space, double tolerance)
+      : report_(std::move(report)), space_(space), tolerance_(tolerance) {}
 
   /// Sets the type (ComparedPiece::Part) and the difference that all segments get until end() is called.
   void begin(ComparedPiece::Part part, std::size_t number, double distance = 0);
@@ -31,7 +31,7 @@ class PieceFollower {
  private:
   void let_go(ComparedPiece::Part part);
 
-  std::function<void(const ComparedPiece&)> told_;
+  std::function<void(const ComparedPiece&)> report_;
   const CourseSpace& space_;
   double tolerance_;
   ComparedPiece now_;  // values that all segments have in common until end() is called

@@ -62,8 +62,8 @@ std::string filled(const std::string& pattern, const Alarm& alarm, Lang lang) {
 
 /// Returns the text in the requested language; if it is missing, the text in the other language.
 const std::string& in(const Text& text, Lang lang) {
-  const std::string& asked = lang == Lang::ru ? text.ru : text.en;
-  return !asked.empty() ? asked : lang == Lang::ru ? text.en : text.ru;
+  const std::string& own = lang == Lang::ru ? text.ru : text.en;
+  return !own.empty() ? own : lang == Lang::ru ? text.en : text.ru;
 }
 
 /// Returns the member of the row that stores the key; nullptr if no member does. The key `args` is never looked up, because its value is

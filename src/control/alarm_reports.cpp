@@ -110,7 +110,7 @@ Origin Interpreter::origin_of_block() const {
   o.file = flow.reader();
   o.number = static_cast<std::uint32_t>(flow.blocks());
   o.depth = static_cast<std::uint8_t>(std::min<std::size_t>(flow.depth(), 255));
-  if (call_tree_) o.calls = call_tree_->way_of(def, flow.frames());
+  if (call_tree_) o.calls = call_tree_->chain_of(def, flow.frames());
   return o;
 }
 

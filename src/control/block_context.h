@@ -90,7 +90,7 @@ class BlockContext : public ControlState, public RunMemory {
   /// Returns the state before the block. The state is valid only if keeps_state() is true, that is, if the state was saved so that an alarm
   /// can restore it.
   const ControlState& state_before() const { return before_; }
-  bool keeps_state() const { return state_kept_; }
+  bool keeps_state() const { return state_saved_; }
   bool keeps_flow_place() const { return flow_before_.has_value(); }
   /// Returns which state a block with this plan may change. Only the plan decides here; a dialect may override the decision.
   BlockChanges changes_of_block(const Plan& plan) const;
@@ -136,7 +136,7 @@ class BlockContext : public ControlState, public RunMemory {
 
   Flow flow;
   ControlState before_;
-  bool state_kept_ = false;
+  bool state_saved_ = false;
   std::optional<Flow::Place> flow_before_;  // position in the program before the block; set if the block has a function that follows a jump
   ShapeFacts* shape_ = nullptr;             // facts about the shape of the current block; nullptr if the block has no shape
 };

@@ -118,8 +118,8 @@ void Control::set_signal(const std::string& name, double value) {
   MachineInterface* const side = machine_interface();
   if (side == nullptr) return;
   side->set_signal(name, value);
-  if (const AxisSignal asked = axis_signal(name); !asked.axis.empty())
-    side->couple_axis(*interpreter_, std::string(asked.axis), asked.link, value != 0);
+  if (const AxisSignal signal = axis_signal(name); !signal.axis.empty())
+    side->couple_axis(*interpreter_, std::string(signal.axis), signal.link, value != 0);
   if (on_signal) on_signal(name, value != 0);
   if (on_cross_channel_axes) on_cross_channel_axes();
   if (side->waiting_suspended()) interpreter_->waiting.meeting.reset();
@@ -132,8 +132,8 @@ const std::vector<CrossChannelAxis>& Control::cross_channel_axes() const {
 void Control::drop_cross_channel(const CrossChannelAxis& axis) {
   if (MachineInterface* const side = machine_interface()) side->drop_cross_channel(*interpreter_, axis);
 }
-void Control::lead_axis(std::size_t axis, double machine) {
-  if (MachineInterface* const side = machine_interface()) side->lead_axis(*interpreter_, axis, machine);
+void Control::move_linked_axis(std::size_t axis, double machine) {
+  if (MachineInterface* const side = machine_interface()) side->move_linked_axis(*interpreter_, axis, machine);
 }
 bool Control::may_exchange(std::size_t axis) const {
   const MachineInterface* const side = machine_interface();

@@ -155,7 +155,7 @@ class Control {
   void drop_cross_channel(const CrossChannelAxis& axis);
   /// Moves an axis of this channel to a machine coordinate in mm or degrees, because the axis follows an axis of another channel that has
   /// moved. Axes of this channel that follow `axis` move too.
-  void lead_axis(std::size_t axis, double machine);
+  void move_linked_axis(std::size_t axis, double machine);
   /// Returns true if the axis of this channel may be exchanged with a linear axis.
   bool may_exchange(std::size_t axis) const;
   /// Starts or ends the exchange of an axis of this channel with an axis of another channel, at the next block. During the exchange the

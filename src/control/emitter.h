@@ -35,7 +35,7 @@ class SteppedCycle {
   /// Emits the next few actions of the cycle. Returns false if the cycle is finished.
   virtual Result<bool> next(Emitter& m) = 0;
   /// Called when the cycle is finished. The function may make the program continue at another block.
-  virtual Status lead_on(Interpreter& m) const;
+  virtual Status finish(Interpreter& m) const;
   /// Returns true if the other functions of the block are executed before the cycle continues (drilling, nct 18.0). If false, the functions
   /// that follow the motion wait until the cycle has ended.
   virtual bool functions_first() const { return false; }

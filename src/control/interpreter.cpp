@@ -41,7 +41,7 @@ bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
 
 Interpreter::~Interpreter() = default;
 
-Status SteppedCycle::lead_on(Interpreter&) const { return {}; }
+Status SteppedCycle::finish(Interpreter&) const { return {}; }
 
 void Interpreter::begin_batch(ActionBatch& to) {
   to.clear();
@@ -126,7 +126,7 @@ Control::State Interpreter::run(ActionBatch& to) {
   begin_batch(to);
   const bool looked_at = line_marks != nullptr || (holds_before != nullptr && *holds_before);
   const std::uint64_t until = flow.blocks() + most_unseen;
-  while (to.size() < batch_size && !is_stopped() && !(each_block && !to.empty()) && !stop_.asked()) {
+  while (to.size() < batch_size && !is_stopped() && !(each_block && !to.empty()) && !stop_.requested()) {
     if (waiting.meeting) return Control::State::waiting;
     if (continues_last()) continue;
     if (flow.ended()) return Control::State::ended;
@@ -252,7 +252,7 @@ Status Interpreter::next_of_cycle() {
   if (!more) return fail(more.error());
   if (*more) return {};
   const std::unique_ptr<SteppedCycle> over = std::move(running);
-  return over->lead_on(*this);
+  return over->finish(*this);
 }
 
 void Interpreter::stop_cycles() {
@@ -316,7 +316,7 @@ Status Interpreter::check_numbers() {
 /// Executes all words of the block. After an alarm all of them are undone.
 Status Interpreter::attempt() {
   const std::size_t actions = batch->size();
-  state_kept_ = false;
+  state_saved_ = false;
   block_exact = block_machine_coordinates = false;
   waiting_count_ = 0;
   flow_before_.reset();
@@ -342,7 +342,7 @@ Status Interpreter::words() {
   else if (changes != BlockChanges::position) keep_simple_state();
   if (changes == BlockChanges::cycle) journal.keep(cycle_memory);
   KADR_TRY(execute(*plan_now_));
-  if (state_kept_) {
+  if (state_saved_) {
     KADR_TRY(check_place());
     KADR_TRY(check_work_offset_kept());
   }
@@ -363,7 +363,7 @@ Status Interpreter::plan() {
     return {};
   }
   plan_now_ = &plan_;
-  if (!block->kept || block->codes_vary) return plan_block(def, letters, *block, motion_row, plan_);
+  if (!block->repeated || block->codes_vary) return plan_block(def, letters, *block, motion_row, plan_);
   if (plans_.empty()) plans_.resize(kept_plans);
   KeptPlan& kept = plans_[reinterpret_cast<std::uintptr_t>(block) / sizeof(Block) % kept_plans];  // NOLINT: the address is a hash key here
   plan_now_ = &kept.plan;

@@ -11,7 +11,7 @@ namespace kadr {
 /// the answer is known (spec/gost 2). INFERRED: the question shown is the text of the block.
 bool Interpreter::asks_to_skip() {
   if (skip_answers.empty() || skips_it || !is_skipped()) return false;
-  skips_it = skip_answers[std::min(skips_asked++, skip_answers.size() - 1)];
+  skips_it = skip_answers[std::min(answers_used++, skip_answers.size() - 1)];
   emit(Message{std::string(block->text) + " ?", -1, true});
   phase_ = RunPhase::same_block;
   return true;

@@ -103,7 +103,7 @@ std::shared_ptr<const BlockMemory> Interpreter::block_memory() const {
 
 void Interpreter::continue_in_block(const BlockMemory& then) {
   first_block = then.block;
-  first_block.kept = false;  // this copy of the block is not one that a loop keeps in memory
+  first_block.repeated = false;  // this copy of the block is not one that a loop keeps in memory
   first_text_ = then.text;
   first_block.text = first_text_;
   plan_ = then.plan;
@@ -111,7 +111,7 @@ void Interpreter::continue_in_block(const BlockMemory& then) {
   std::copy(then.waiting.begin(), then.waiting.end(), waiting_.begin());
   waiting_count_ = then.waiting.size();
   canned_cycle_run = then.canned_cycle_run;
-  if (canned_cycle_run.active()) canned_cycle_run.lead_to(&def.cycles[then.cycle]);
+  if (canned_cycle_run.active()) canned_cycle_run.relink(&def.cycles[then.cycle]);
   ellipse_run = then.ellipse_run;
   if (then.running) running = then.running->clone();
   phase_ = then.phase;
@@ -127,7 +127,7 @@ Status Interpreter::restore(const Snapshot& from) {
   stop_cycles();
   waiting_count_ = 0;
   phase_ = RunPhase::next_block;
-  needs_probe = state_kept_ = false;
+  needs_probe = state_saved_ = false;
   flow_before_.reset();
   journal.begin();
   first_block = Block();

@@ -25,13 +25,13 @@ void BlockMaker::close() {
 
 std::string BlockMaker::program_label(std::uint32_t number) const { return fmt::format("O{:0{}}", number, def_.behaviour.program_digits); }
 
-Status BlockMaker::code(std::initializer_list<Wanted> wanted) {
-  if (!code_if_there(wanted)) return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(wanted.begin()->first).name));
+Status BlockMaker::code(std::initializer_list<FunctionArg> functions) {
+  if (!code_if_there(functions)) return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(functions.begin()->first).name));
   return {};
 }
 
-bool BlockMaker::code_if_there(std::initializer_list<Wanted> wanted) {
-  const auto code = code_of(def_, wanted);
+bool BlockMaker::code_if_there(std::initializer_list<FunctionArg> functions) {
+  const auto code = code_of(def_, functions);
   if (code) text(*code);
   return code.has_value();
 }
@@ -109,9 +109,9 @@ void BlockMaker::comment(std::string_view what) {
 
 Status BlockMaker::number(std::string& line) {
   const WordFormat& n = def_.grammar.word('N');
-  if (wanted_number_ == 0 && !def_.grammar.block_number_required) return {};
+  if (requested_number_ == 0 && !def_.grammar.block_number_required) return {};
   const double most = n.whole_digits == 0 ? 99'999 : std::pow(10.0, n.whole_digits) - 1;
-  std::uint32_t number = section_ != 0 ? 0 : wanted_number_;
+  std::uint32_t number = section_ != 0 ? 0 : requested_number_;
   if (def_.grammar.block_number_required) number = number > last_number_ ? number : last_number_ + 1;
   if (number == 0 || !n.known) return {};
   if (section_ != 0 && number / section_blocks != section_) return fail(alarm(AlarmId::word_has_no_room, {}, 'N', double(number)));
@@ -131,7 +131,7 @@ Status BlockMaker::end() {
   line_ += '\n';
   const bool has_room = put_(line_);
   words_.clear(), comment_.clear();
-  wanted_number_ = 0, skip_ = 0;
+  requested_number_ = 0, skip_ = 0;
   ++blocks_;
   return has_room ? Status() : fail(too_long());
 }

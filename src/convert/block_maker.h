@@ -34,9 +34,9 @@ class BlockMaker {
 
   /// Adds to the block the code with which the control calls one of these functions.
   ///   alarms  function_has_no_code
-  Status code(std::initializer_list<Wanted> wanted);
+  Status code(std::initializer_list<FunctionArg> functions);
   /// Like code(), but returns false and adds nothing if the control has no such code.
-  bool code_if_there(std::initializer_list<Wanted> wanted);
+  bool code_if_there(std::initializer_list<FunctionArg> functions);
   /// Adds a word. `value` is in the unit of the address: mm, degrees, s, … A feed or speed is replaced by its code if the control has a
   /// table of codes for it.
   ///   more    additional decimals if the format allows any number of decimals; 1 if the lengths are in inches
@@ -58,10 +58,10 @@ class BlockMaker {
   /// Adds a comment in brackets. Characters that the control does not allow in a comment are removed.
   void comment(std::string_view what);
   ///   number  block number N, if the program has block numbers; 0: none
-  void set_number(std::uint32_t number) { wanted_number_ = number; }
+  void set_number(std::uint32_t number) { requested_number_ = number; }
   void set_skip(std::uint8_t skip) { skip_ = skip; }
   /// Discards the words that were added since the last end of block.
-  void drop() { words_.clear(), comment_.clear(), wanted_number_ = 0, skip_ = 0; }
+  void drop() { words_.clear(), comment_.clear(), requested_number_ = 0, skip_ = 0; }
   /// Begins a subprogram, to which the next blocks belong. Its number is the leading digits of their block numbers (spec/s2c42 3): 2 in
   /// N02001.
   void begin_section(std::uint32_t number) {
@@ -90,7 +90,7 @@ class BlockMaker {
   std::function<bool(std::string_view)> put_;
   std::string words_, comment_;
   std::string line_;  // text of the line; a member so that its memory is reused
-  std::uint32_t wanted_number_ = 0, last_number_ = 0;
+  std::uint32_t requested_number_ = 0, last_number_ = 0;
   std::uint32_t section_ = 0, number_before_ = 0;  // number of the subprogram, 0: none; last block number before the subprogram began
   std::uint8_t skip_ = 0;
   std::size_t blocks_ = 0;

@@ -264,7 +264,7 @@ Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, Blo
 }
 
 /// Repeats the motion code in force if other blocks were inserted before this block and the block itself has no motion code.
-Status BlockRewriter::said_again(const Kinds& kinds, BlockMaker& out) {
+Status BlockRewriter::write_again(const Kinds& kinds, BlockMaker& out) {
   if (!repeats_modes_ || !kinds.has_axes || kinds.takes_axes) return {};
   if (kinds.motion == nullptr && motion_ != nullptr) {
     if (motion_is_cycle_) return cannot(motion_->code);
@@ -290,7 +290,7 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   }
   Kinds kinds;
   look(block, kinds);
-  KADR_TRY(said_again(kinds, out));
+  KADR_TRY(write_again(kinds, out));
   pass(block);
   if (is_to_o_lines() && kinds.macro != nullptr) return macro_call(block, out);
   if (is_to_o_lines() && kinds.returns && o_lines_.is_in_macro()) {
@@ -325,8 +325,8 @@ Status BlockRewriter::o_line(const Block& block, BlockMaker& out) {
           const std::string_view text = block.text_of(block.where);
           const std::size_t then = text.find("THEN");
           if (then == std::string_view::npos) return cannot("THEN");
-          constexpr std::size_t behind = 4;
-          return slice(assignment(text.substr(then + behind, text.find('(') - then - behind)), out);
+          constexpr std::size_t after_then = 4;
+          return slice(assignment(text.substr(then + after_then, text.find('(') - then - after_then)), out);
         }
         Kinds kinds;
         look(block, kinds);

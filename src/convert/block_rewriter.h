@@ -58,7 +58,7 @@ class BlockRewriter {
   void look(const Block& block, Kinds& kinds) const;
   Status statement(const Block& block, BlockMaker& out);
   Status implied_number(const Block& block, const CodeRow& row, BlockMaker& out) const;
-  Status said_again(const Kinds& kinds, BlockMaker& out);
+  Status write_again(const Kinds& kinds, BlockMaker& out);
   Status code(const CodeRow& row, BlockMaker& out) const;
   bool is_other_code(const Word& word, const CodeRow& row) const;
   bool machine_code(const Word& word, const CodeRow& row, BlockMaker& out) const;

@@ -38,16 +38,16 @@ class Writing {
     auto opened = spec_.source(spec_.setup);
     if (!opened) return tl::unexpected(opened.error());
     session_ = std::move(*opened);
-    const FlatForm way = made_.as == ConvertedAs::contours  ? FlatForm::contours
-                         : made_.as == ConvertedAs::lengths ? FlatForm::lengths
-                                                            : FlatForm::plain;
+    const FlatForm form = made_.as == ConvertedAs::contours  ? FlatForm::contours
+                          : made_.as == ConvertedAs::lengths ? FlatForm::lengths
+                                                             : FlatForm::plain;
     Control& control = session_->control();
     control.return_each_block();
-    FlatProgram flat(blocks_, flat_source_of(*session_, *spec_.to), way);
+    FlatProgram flat(blocks_, flat_source_of(*session_, *spec_.to), form);
     flat_ = &flat;
     Outlets& outlets = session_->outlets();
     outlets.stop = spec_.stop;
-    if (way == FlatForm::contours) {
+    if (form == FlatForm::contours) {
       outlets.programmed = [this](const Action& action) { take(action); };
       outlets.step = [](const Step&) {};
     } else {
@@ -111,7 +111,7 @@ tl::expected<void, std::string> prove_in_others(const Proving& proving, Conversi
     one.proof = std::move(other->proof);
     one.differs_elsewhere = other->is_elsewhere, one.differs_unstated = !other->is_elsewhere;
   } else {
-    one.told_states = other->told, one.zero_by_operator = other->by_operator;
+    one.proven_states = other->proven, one.zero_by_operator = other->by_operator;
   }
   return {};
 }
@@ -128,12 +128,12 @@ tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, Con
     if (!written) return tl::unexpected(written.error());
     one = std::move(*written);
   }
-  if (one.cannot_express || spec.stop.asked()) return one;
+  if (one.cannot_express || spec.stop.requested()) return one;
   auto proof = proving.from_given(one.text, as);
   if (!proof) return tl::unexpected(proof.error());
   one.proof = std::move(*proof);
-  if (!one.is_equal() || spec.stop.asked()) return one;
-  if (const auto told = prove_in_others(proving, one); !told) return tl::unexpected(told.error());
+  if (!one.is_equal() || spec.stop.requested()) return one;
+  if (const auto result = prove_in_others(proving, one); !result) return tl::unexpected(result.error());
   return one;
 }
 
@@ -150,9 +150,9 @@ tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, Con
   (void)each_piece(*one.text, [&](std::string_view piece) {
     const Transliterated made = transliterated(piece, letters);
     text.append(made.text), characters += made.characters;
-    return !spec.stop.asked();
+    return !spec.stop.requested();
   });
-  if (characters == 0 || spec.stop.asked()) return {};
+  if (characters == 0 || spec.stop.requested()) return {};
   one.transliterated = characters;
   one.text = text.source();
   const std::size_t passed = one.proof.passed_messages;
@@ -235,12 +235,12 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
     auto one = one_try(spec, as, shape, proving);
     if (!one) return tl::unexpected(one.error());
     if (one->is_proven()) {
-      if (const auto told = write_in_letters(spec, *one, proving); !told) return tl::unexpected(told.error());
+      if (const auto result = write_in_letters(spec, *one, proving); !result) return tl::unexpected(result.error());
     }
     const bool is_proven = one->is_proven(), never = one->proof.stopped_a.has_value();
     all.tries.push_back(std::move(*one));
     if (is_proven) all.taken = all.tries.size() - 1;
-    if (is_proven || never || spec.stop.asked()) break;
+    if (is_proven || never || spec.stop.requested()) break;
   }
   return all;
 }

@@ -66,9 +66,9 @@ struct ConversionTry {
   std::optional<std::uint16_t> counts_from{};  // for `plain`: the number of the work system that all motions of the program use
   std::shared_ptr<ByteSource> text = text_source({});
   bool is_equal() const { return !cannot_express && text->size() != 0 && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
-  bool is_proven() const { return is_equal() && told_states.has_value(); }
+  bool is_proven() const { return is_equal() && proven_states.has_value(); }
   // Number of other states (set-ups) from which the text was proven; nullopt: the text is not proven yet
-  std::optional<std::size_t> told_states{};
+  std::optional<std::size_t> proven_states{};
   std::size_t transliterated = 0;         // number of characters that were replaced because the target control lacks their letters
   std::vector<WrittenOut> written_out{};  // for `words`: the expanded lines, in the order in which they were found
 };

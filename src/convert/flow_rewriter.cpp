@@ -18,7 +18,7 @@ constexpr std::uint32_t first_named = 8000;  // label of the first named subprog
 // Variable numbers of macros: local #1 to #33, global #100 to #199 (spec/fanuc 5.1).
 constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;
 
-Status no_way(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
+Status no_code(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -69,7 +69,7 @@ Status FlowRewriter::write(const Block& block, BlockMaker& out) {
   const bool has_macros = to_.grammar.has_statements();
   switch (s.o_word) {
     case OWord::label:
-      if (has_sections()) return no_way("O");
+      if (has_sections()) return no_code("O");
       return line(out.program_label(number_of(label)), out);
     case OWord::sub:
       scope_ = label;
@@ -78,7 +78,7 @@ Status FlowRewriter::write(const Block& block, BlockMaker& out) {
     case OWord::endsub:
     case OWord::return_: {
       if (s.o_word == OWord::endsub) scope_.clear(), open_.clear();
-      if (!rest.empty()) return no_way("return [ ]");
+      if (!rest.empty()) return no_code("return [ ]");
       return out.code({{Function::return_program, any_argument},
                        {Function::subprogram_return, any_argument},
                        {Function::subprogram_end, any_argument}});
@@ -86,7 +86,7 @@ Status FlowRewriter::write(const Block& block, BlockMaker& out) {
     case OWord::call: return call(label, rest, out);
     default: break;
   }
-  if (!has_macros) return no_way("WHILE");
+  if (!has_macros) return no_code("WHILE");
   switch (s.o_word) {
     case OWord::do_:
     case OWord::while_:
@@ -101,7 +101,7 @@ Status FlowRewriter::write(const Block& block, BlockMaker& out) {
     case OWord::endif: return end_loop({}, out);
     case OWord::break_: return leave(false, out);
     case OWord::continue_: return leave(true, out);
-    default: return no_way("O");
+    default: return no_code("O");
   }
 }
 
@@ -130,12 +130,12 @@ Status FlowRewriter::begin_loop(Open open, std::string_view condition, BlockMake
     return label_line(open.next, out);
   }
   open.loop = nested();
-  if (open.loop > max_nested) return no_way("DO4");
+  if (open.loop > max_nested) return no_code("DO4");
   auto text = expression(condition);
   if (!text) return fail(text.error());
   if (open.word == OWord::repeat) {
     open.variable = free_variable(last_local, 1, -1);
-    if (open.variable == 0) return no_way("#33");
+    if (open.variable == 0) return no_code("#33");
     KADR_TRY(line(fmt::format("#{}={}", open.variable, *text), out));
     *text = fmt::format("[#{} GT 0]", open.variable);
   }
@@ -144,7 +144,7 @@ Status FlowRewriter::begin_loop(Open open, std::string_view condition, BlockMake
 }
 
 Status FlowRewriter::branch(OWord word, std::string_view condition, BlockMaker& out) {
-  if (open_.empty() || open_.back().word != OWord::if_) return no_way("ELSE");
+  if (open_.empty() || open_.back().word != OWord::if_) return no_code("ELSE");
   Open& open = open_.back();
   if (open.over == 0) open.over = ++next_label_;
   KADR_TRY(line(fmt::format("GOTO {}", open.over), out));
@@ -158,7 +158,7 @@ Status FlowRewriter::branch(OWord word, std::string_view condition, BlockMaker& 
 }
 
 Status FlowRewriter::end_loop(std::string_view condition, BlockMaker& out) {
-  if (open_.empty()) return no_way("END");
+  if (open_.empty()) return no_code("END");
   const Open open = open_.back();
   open_.pop_back();
   if (open.word == OWord::do_) {
@@ -183,12 +183,12 @@ Status FlowRewriter::end_loop(std::string_view condition, BlockMaker& out) {
 Status FlowRewriter::leave(bool goes_on, BlockMaker& out) {
   for (auto open = open_.rbegin(); open != open_.rend(); ++open) {
     if (open->word == OWord::if_) continue;
-    if (open->word == OWord::do_ && goes_on) return no_way("continue");
+    if (open->word == OWord::do_ && goes_on) return no_code("continue");
     std::uint32_t& label = goes_on ? open->next : open->over;
     if (label == 0) label = ++next_label_;
     return line(fmt::format("GOTO {}", label), out);
   }
-  return no_way(goes_on ? "continue" : "break");
+  return no_code(goes_on ? "continue" : "break");
 }
 
 Status FlowRewriter::call(std::string_view label, std::string_view arguments, BlockMaker& out) {
@@ -204,7 +204,7 @@ Status FlowRewriter::call(std::string_view label, std::string_view arguments, Bl
     const std::size_t end = end_of_bracket(arguments);
     const auto text = expression(arguments.substr(0, end));
     if (!text) return fail(text.error());
-    if (i >= argument_letters.size() || argument_letters[i] == '\0') return no_way("call");
+    if (i >= argument_letters.size() || argument_letters[i] == '\0') return no_code("call");
     out.text(argument_letters[i] + *text);
     arguments = trimmed(arguments.substr(end));
   }
@@ -213,7 +213,7 @@ Status FlowRewriter::call(std::string_view label, std::string_view arguments, Bl
 
 Status FlowRewriter::begin_section(const std::string& label, BlockMaker& out) {
   const auto number = sections_.of(label);
-  if (!number) return no_way("L");
+  if (!number) return no_code("L");
   out.begin_section(*number);
   return {};
 }
@@ -222,7 +222,7 @@ Status FlowRewriter::begin_section(const std::string& label, BlockMaker& out) {
 /// (spec/s2c42 3).
 Status FlowRewriter::call_in_section(const std::string& label, std::uint32_t times, BlockMaker& out) {
   const auto call = sections_.call(label, times);
-  if (!call) return no_way("L");
+  if (!call) return no_code("L");
   out.text(*call);
   return out.end();
 }
@@ -236,9 +236,9 @@ Status FlowRewriter::call_in_section(const Block& block, BlockMaker& out) {
     const bool is_count = one.code < 0 && !one.expression && one.value >= 0 && one.value <= max_label;
     if (is_count && one.address == 'P') label = static_cast<std::uint32_t>(one.value);
     else if (is_count && one.address == 'L') times = static_cast<std::uint32_t>(one.value);
-    else if (one.address != 'M' && one.address != 'N') return no_way(block.text_of(block.where));
+    else if (one.address != 'M' && one.address != 'N') return no_code(block.text_of(block.where));
   }
-  if (!label || block.word_count > 3 + (block.has('N') ? 1U : 0U)) return no_way(block.text_of(block.where));
+  if (!label || block.word_count > 3 + (block.has('N') ? 1U : 0U)) return no_code(block.text_of(block.where));
   return call_in_section(std::to_string(*label), times, out);
 }
 

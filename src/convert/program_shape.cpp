@@ -44,7 +44,7 @@ constexpr double most_tool = 100'000;
 constexpr std::uint32_t hundred = 100;
 
 /// True for functions whose motions are straight lines, including canned drilling cycles.
-bool leads_along_lines(Function function) {
+bool jumps_along_lines(Function function) {
   constexpr Function lines[] = {
       Function::rapid,           Function::linear,           Function::cycle,         Function::canned_cycle,
       Function::no_motion,       Function::drilling_off,     Function::machine_point, Function::approach_reference,
@@ -63,7 +63,7 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
   has_jumps_ = def.grammar.has_statements();
   BlockReader reader(std::move(source), def.grammar, Encoding::utf8);
   Block block;
-  while (!stop.asked()) {
+  while (!stop.requested()) {
     const auto got = reader.next(block);
     if (got && *got == BlockReader::Got::end) break;
     lines_ = block.position.line;
@@ -242,7 +242,7 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
     const Function function = def.codes[static_cast<std::size_t>(row)].function;
     if (traits_of(function).phase == Phase::path_mode) path_modes_.insert(static_cast<std::size_t>(row));
     rounds_corners_ = rounds_corners_ || (function == Function::constant_velocity && block.has('P'));
-    has_arcs_ = has_arcs_ || (traits_of(function).phase == Phase::motion && !leads_along_lines(function));
+    has_arcs_ = has_arcs_ || (traits_of(function).phase == Phase::motion && !jumps_along_lines(function));
     note_flow(function, block.position.line);
     is_call = is_call || calls(function);
     if (function == Function::macro_call && block.has('P') && !block.find('P')->expression)

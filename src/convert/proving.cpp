@@ -73,11 +73,11 @@ tl::expected<Comparison, std::string> Proving::from_given(const std::shared_ptr<
 tl::expected<Proving::Other, std::string> Proving::in_all(const std::vector<Side>& sides, const std::shared_ptr<ByteSource>& text) const {
   Other other;
   for (const Side& side : sides) {
-    if (spec_.stop.asked()) break;
+    if (spec_.stop.requested()) break;
     auto proof = compare(side, text, true);
     if (!proof) return tl::unexpected(proof.error());
     if (proof->stopped_a) continue;
-    ++other.told;
+    ++other.proven;
     if (proof->equal() && !proof->stopped_b) continue;
     other.proof = std::move(*proof), other.differs = true, other.is_elsewhere = side.is_elsewhere;
     break;

@@ -32,7 +32,7 @@ class Proving {
     bool differs = false;       // true if the programs differ from a state from which the source program itself reaches its end
     bool is_elsewhere = false;  // true if the state differs from the given set-up in what a probe touches, not in a table
     bool by_operator = false;   // equal if the operator sets the origin on both machines, because at most one control has a code for it
-    std::size_t told = 0;       // number of states in which the source program ends in the same way as from the given set-up
+    std::size_t proven = 0;     // number of states in which the source program ends in the same way as from the given set-up
   };
   /// Compares both programs from each of the other states until they differ. A state in which the source program itself stops proves
   /// nothing, so it is not counted.

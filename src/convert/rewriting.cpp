@@ -43,7 +43,7 @@ class Rewriter {
   Rewriter(const RewriteSpec& spec, const std::function<bool(std::string_view)>& put)
       : spec_(spec),
         put_(put),
-        blocks_(*spec.to, [this](std::string_view line) { return say(line); }),
+        blocks_(*spec.to, [this](std::string_view line) { return write_line(line); }),
         words_(*spec.from, *spec.to),
         reader_(spec.source, spec.from->grammar, Encoding::utf8),
         raw_(spec.source) {}
@@ -53,7 +53,7 @@ class Rewriter {
     words_.set_macros(spec_.macros);
     blocks_.begin();
     bool has_begun = false;
-    while (!spec_.stop.asked()) {
+    while (!spec_.stop.requested()) {
       const auto got = reader_.next(block_);
       if (got && *got == BlockReader::Got::end) break;
       const std::uint32_t line = block_.position.line;
@@ -98,7 +98,7 @@ class Rewriter {
     if (const Status status = blocks_.end(); !status) unsaid(status.error());
   }
   /// Appends text to the output; returns false if the output is full.
-  bool say(std::string_view text) {
+  bool write_line(std::string_view text) {
     if (is_full_) return false;
     // Blocks of subprograms are collected; they are written after the program end, or before the program on a control with sections
     if (in_section_ || in_subprogram_) {
@@ -186,7 +186,7 @@ class Rewriter {
       source_line_ = raw.number;
       const std::string text = comment_of(raw.bytes, spec_.from->grammar);
       if (!text.empty()) comment(text);
-      else if (raw.bytes.find_first_not_of(" \t\r") == std::string_view::npos) (void)say("\n");
+      else if (raw.bytes.find_first_not_of(" \t\r") == std::string_view::npos) (void)write_line("\n");
     }
   }
 
@@ -250,15 +250,15 @@ class Rewriter {
     std::string_view rest = place.text;
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
-      if (in_subprogram_ && spec_.to->grammar.section_address != 0) say_in_section(rest.substr(0, end));
-      else (void)say(rest.substr(0, end));
+      if (in_subprogram_ && spec_.to->grammar.section_address != 0) write_in_section(rest.substr(0, end));
+      else (void)write_line(rest.substr(0, end));
       rest.remove_prefix(end);
     }
     words_.repeat_modes();
   }
 
   /// Writes a block of a subprogram, with a block number of the section.
-  void say_in_section(std::string_view line) {
+  void write_in_section(std::string_view line) {
     if (line.starts_with('N')) line.remove_prefix(std::min(line.find(' '), line.size() - 1) + 1);
     blocks_.text(line.substr(0, line.find('\n')));
     if (const Status status = blocks_.end(); !status) unsaid(status.error());
@@ -291,7 +291,7 @@ class Rewriter {
 
 std::uint32_t LineOrigins::of(std::uint32_t line) const {
   if (line == 0 || line > count_) return 0;
-  const auto after = std::partition_point(stretches_.begin(), stretches_.end(), [line](const Stretch& one) { return one.made < line; });
+  const auto after = std::partition_point(runs_.begin(), runs_.end(), [line](const LineRun& one) { return one.made < line; });
   return std::prev(after)->source + (line - 1 - std::prev(after)->made);
 }
 

@@ -42,8 +42,7 @@ class LineOrigins {
  public:
   /// Records that the next line of the new text comes from this line of the source program.
   void add(std::uint32_t source) {
-    if (stretches_.empty() || source != stretches_.back().source + (count_ - stretches_.back().made))
-      stretches_.push_back({count_, source});
+    if (runs_.empty() || source != runs_.back().source + (count_ - runs_.back().made)) runs_.push_back({count_, source});
     ++count_;
   }
   /// Appends the line origins of another text, which follows this one.
@@ -54,11 +53,11 @@ class LineOrigins {
   std::uint32_t of(std::uint32_t line) const;
 
  private:
-  struct Stretch {
+  struct LineRun {
     // made: number, from 0, of the first line of the range in the new text. source: number, from 1, of the source line that it comes from.
     std::uint32_t made = 0, source = 0;
   };
-  std::vector<Stretch> stretches_;
+  std::vector<LineRun> runs_;
   std::uint32_t count_ = 0;
 };
 

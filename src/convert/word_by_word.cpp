@@ -34,14 +34,14 @@ class WordByWord {
     from_ = &(*session)->def();
     opened_ = std::move(*session);
     write_out_calls();
-    for (int round = 0; round < max_rounds && !spec_.stop.asked(); ++round) {
+    for (int round = 0; round < max_rounds && !spec_.stop.requested(); ++round) {
       auto grown = one_round(round < early_rounds);
       if (!grown) return tl::unexpected(grown.error());
       work_ += shape_.lines() + 1 + made_.proof.moves_a + made_.proof.moves_b;
-      if (!*grown && (made_.is_proven() || is_hopeless() || !begin_anew())) return std::move(made_);
+      if (!*grown && (made_.is_proven() || is_hopeless() || !begin_again())) return std::move(made_);
       if (work_ > max_work) break;
     }
-    if (!spec_.stop.asked()) unsayable(alarm(AlarmId::conversion_takes_long, {}), 0);
+    if (!spec_.stop.requested()) unsayable(alarm(AlarmId::conversion_takes_long, {}), 0);
     return std::move(made_);
   }
 
@@ -60,7 +60,7 @@ class WordByWord {
   /// Rewrites and proves the program once. Returns true if more lines must be expanded.
   tl::expected<bool, std::string> one_round(bool ends_early) {
     made_.text = text_source({}), made_.cannot_express.reset(), made_.proof = {};
-    made_.told_states.reset(), made_.differs_elsewhere = made_.differs_unstated = false;
+    made_.proven_states.reset(), made_.differs_elsewhere = made_.differs_unstated = false;
     std::vector<FlatRange> places;
     if (!places_.empty()) {
       for (const auto& [first, last] : places_) places.push_back({{first, last}, follows({first, last}, places)});
@@ -73,7 +73,7 @@ class WordByWord {
         return false;
       }
       work_ += *blocks;
-      if (const auto told = look_elsewhere(places); !told) return tl::unexpected(told.error());
+      if (const auto result = look_elsewhere(places); !result) return tl::unexpected(result.error());
       for (const FlatRange& place : places)
         if (!place.settled()) {
           why_ = place.cannot, varies_ = place.differs;
@@ -143,7 +143,7 @@ class WordByWord {
       auto other = proving_.from_others(made_.text, ConvertedAs::words, std::nullopt);
       if (!other) return tl::unexpected(other.error());
       if (!other->differs) {
-        made_.told_states = other->told, made_.zero_by_operator = other->by_operator;
+        made_.proven_states = other->proven, made_.zero_by_operator = other->by_operator;
         return false;
       }
       made_.proof = std::move(other->proof);
@@ -173,7 +173,7 @@ class WordByWord {
 
   /// Starts the rounds again, now with lines expanded from the first round on that often cannot be rewritten: at the first restart
   /// contours, at the second one lines that rotate, mirror or scale, at the third one both. Returns false if no restart is left.
-  bool begin_anew() {
+  bool begin_again() {
     const bool has_contours = !shape_.contours().empty(), has_transforms = !shape_.transforms().empty();
     for (++stage_; stage_ <= 3; ++stage_) {
       centres_ = has_contours && stage_ != 2;

@@ -13,10 +13,10 @@ std::optional<Axes> Chain::inverse(const Pose& pose, const Axes& near) const {
   constexpr double same_direction = 1e-12;  // a direction that differs from Z by a smaller angle, in radians, counts as parallel to Z
   if (!(d.z > 0) || std::hypot(d.x, d.y) > same_direction) return std::nullopt;
   Axes axes = near;
-  const double wanted[] = {pose.tip.x, pose.tip.y, pose.tip.z};
+  const double tip[] = {pose.tip.x, pose.tip.y, pose.tip.z};
   for (std::size_t letter = 0; letter < 3; ++letter) {
-    if (xyz_[letter] >= 0) axes[static_cast<std::size_t>(xyz_[letter])] = wanted[letter];
-    else if (std::fabs(wanted[letter]) > tol::same_point) return std::nullopt;
+    if (xyz_[letter] >= 0) axes[static_cast<std::size_t>(xyz_[letter])] = tip[letter];
+    else if (std::fabs(tip[letter]) > tol::same_point) return std::nullopt;
   }
   return axes;
 }

@@ -112,8 +112,8 @@ Vec3 FiveAxis::point_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) cons
 
 Vec3 FiveAxis::point_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const { return point_on_machine(zero, point, at); }
 
-RotarySolutions FiveAxis::solutions(Vec3 wanted, RotaryPair zero) const {
-  const Vec3 t = table_turn({}, zero) * wanted;  // the wanted direction in the orientation that the part has with the tables at 0
+RotarySolutions FiveAxis::solutions(Vec3 target, RotaryPair zero) const {
+  const Vec3 t = table_turn({}, zero) * target;  // the wanted direction in the orientation that the part has with the tables at 0
   RotarySolutions all;
   const auto take = [&](const Angles& found, bool x_is_first, double x_sign) {
     all.count = found.count;
@@ -134,8 +134,8 @@ RotarySolutions FiveAxis::solutions(Vec3 wanted, RotaryPair zero) const {
   return all;
 }
 
-std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
-  const RotarySolutions all = solutions(wanted, zero);
+std::optional<RotaryPair> FiveAxis::chosen(Vec3 target, RotaryPair present, RotaryPair zero) const {
+  const RotarySolutions all = solutions(target, zero);
   struct Candidate {
     RotaryPair at;
     // Results of the selection rules, in their order; the first result that differs decides: the smaller one wins
@@ -172,27 +172,27 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
 
 /// One axis stays at its position. While the other axis turns by t, the tool's direction moves on the circle p + cos(t) c + sin(t) s. The
 /// direction is nearest to the wanted direction w at tan(t) = s·w / c·w.
-std::optional<FiveAxis::Kept> FiveAxis::kept(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
+std::optional<FiveAxis::OneAxisMoved> FiveAxis::with_one_axis_moved(Vec3 target, RotaryPair present, RotaryPair zero) const {
   const bool first_stays = group == MachineGroup::head_head;
   const auto pair = [&](double other) { return first_stays ? RotaryPair{present.first, other} : RotaryPair{other, present.second}; };
   const Vec3 at_0 = direction(pair(0), zero), at_90 = direction(pair(90), zero), at_180 = direction(pair(180), zero);
   const Vec3 middle = 0.5 * (at_0 + at_180), c = at_0 - middle, s = at_90 - middle;
-  const double angle = degrees(std::atan2(dot(s, wanted), dot(c, wanted)));
+  const double angle = degrees(std::atan2(dot(s, target), dot(c, target)));
   const auto other = nearest(first_stays ? second : first, angle, first_stays ? present.second : present.first);
   if (!other) return std::nullopt;
   const Vec3 found = direction(pair(*other), zero);
-  return Kept{pair(*other), degrees(std::atan2(length(cross(found, wanted)), dot(found, wanted))), first_stays};
+  return OneAxisMoved{pair(*other), degrees(std::atan2(length(cross(found, target)), dot(found, target))), first_stays};
 }
 
-std::optional<RotaryPair> FiveAxis::continued(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
-  const RotarySolutions all = solutions(wanted, zero);
+std::optional<RotaryPair> FiveAxis::continued(Vec3 target, RotaryPair present, RotaryPair zero) const {
+  const RotarySolutions all = solutions(target, zero);
   std::optional<RotaryPair> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < static_cast<std::size_t>(all.count); ++i) {
     const double one = all.first_free ? 0 : within_turn(all.pairs[i].first - present.first);
     const double other = all.second_free ? 0 : within_turn(all.pairs[i].second - present.second);
-    const double way = std::hypot(one, other);
-    if (way < least) least = way, best = RotaryPair{present.first + one, present.second + other};
+    const double rotation = std::hypot(one, other);
+    if (rotation < least) least = rotation, best = RotaryPair{present.first + one, present.second + other};
   }
   return best;
 }

@@ -85,12 +85,12 @@ struct FiveAxis {
   /// table-table and head-table machines, otherwise the first one.
   ///   returns  the pair, and the angle in degrees between the direction of this pair and `direction`; nullopt if the other axis would
   ///            exceed its limits
-  struct Kept {
+  struct OneAxisMoved {
     RotaryPair at;
     double off = 0;
     bool first_stays = false;
   };
-  std::optional<Kept> kept(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
+  std::optional<OneAxisMoved> with_one_axis_moved(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
   /// Returns the pair nearest to `present` without regard to limits. With this pair, a motion continues steadily from `present`.
   std::optional<RotaryPair> continued(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
 };

@@ -61,8 +61,8 @@ DirectionPath::DirectionPath(const FiveAxisTransform& space, RotaryPair start, V
     const Vec3 pole = machine_.group == MachineGroup::head_head ? machine_.first.direction
                                                                 : turned_back(machine_.table_turn({}, zero_), machine_.second.direction);
     for (const Vec3 p : {pole, -1.0 * pole}) {  // looks for the pole (singular direction) between the two directions
-      const double before = angle_between(from_, p), behind = angle_between(p, to_);
-      if (before + behind - angle_ > at_pole * at_pole * 10) continue;
+      const double before = angle_between(from_, p), after = angle_between(p, to_);
+      if (before + after - angle_ > at_pole * at_pole * 10) continue;
       const double part = before / angle_;
       if (length(cross(direction(part), p)) < at_pole && part > just_off && part < 1 - just_off) through_pole_ = part;
     }
@@ -102,7 +102,7 @@ std::optional<RotaryPair> DirectionPath::rotary(double part, RotaryPair near) co
 FiveAxisTipPath::FiveAxisTipPath(const Data& data) : d_(data) {
   if (!d_.posture) return;
   const RotaryPair start = pair_of(d_.start);
-  way_.emplace(*d_.space, start, d_.space->direction_of(start), d_.space->direction_of(pair_of(d_.end)), d_.cone);
+  direction_path_.emplace(*d_.space, start, d_.space->direction_of(start), d_.space->direction_of(pair_of(d_.end)), d_.cone);
 }
 
 void FiveAxisTipPath::set_pair(Axes& work, RotaryPair to) const {
@@ -123,14 +123,16 @@ void FiveAxisTipPath::set_main(Axes& work, Vec3 to) const {
     if (main[i] >= 0) work[static_cast<std::size_t>(main[i])] = values[i];
 }
 
-std::optional<RotaryPair> FiveAxisTipPath::end_of_posture() const { return way_ ? way_->rotary(1, pair_of(d_.start)) : std::nullopt; }
+std::optional<RotaryPair> FiveAxisTipPath::end_of_posture() const {
+  return direction_path_ ? direction_path_->rotary(1, pair_of(d_.start)) : std::nullopt;
+}
 
 Vec3 FiveAxisTipPath::normal(double part) const { return d_.contact ? turned_towards(d_.normal, d_.end_normal, part) : Vec3{}; }
 
 Axes FiveAxisTipPath::at(double part, const Axes& on_curve) const {
   Axes work = on_curve;
-  if (way_ && part > 0 && part < 1)
-    if (const auto pair = way_->rotary(part, pair_of(on_curve)); pair) set_pair(work, *pair);
+  if (direction_path_ && part > 0 && part < 1)
+    if (const auto pair = direction_path_->rotary(part, pair_of(on_curve)); pair) set_pair(work, *pair);
   const FiveAxisTransform& space = *d_.space;
   if (d_.pivot) {
     const Vec3 from = space.in_system(main_of(d_.start)), lean = space.direction_of(pair_of(work)) - space.direction_of(pair_of(d_.start));

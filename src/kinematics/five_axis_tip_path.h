@@ -75,7 +75,7 @@ class FiveAxisTipPath final : public TipPath {
   void set_main(Axes& work, Vec3 to) const;
 
   Data d_;
-  std::optional<DirectionPath> way_;
+  std::optional<DirectionPath> direction_path_;
 };
 
 /// Returns the vector from the cutting point to the tip of a tool with this radius and corner radius (nct 25.17; INFERRED: the tool's end

@@ -106,10 +106,10 @@ Pose FiveAxisTransform::pose(const Axes& machine) const {
 }
 
 std::optional<Mat3> FiveAxisTransform::turn() const {
-  const Mat3 lies = d_.basic * d_.frame;
-  if (!d_.follows_table) return lies;
+  const Mat3 orientation = d_.basic * d_.frame;
+  if (!d_.follows_table) return orientation;
   if (!d_.fixed) return std::nullopt;
-  return d_.machine.table_turn(*d_.fixed, d_.measured) * lies;
+  return d_.machine.table_turn(*d_.fixed, d_.measured) * orientation;
 }
 
 double FiveAxisTransform::arm(const Axes& machine) const {

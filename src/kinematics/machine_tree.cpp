@@ -11,10 +11,10 @@
 namespace kadr {
 namespace {
 
-constexpr double same_way = 1e-11;  // two unit vectors that differ by less than this count as equal
+constexpr double same_direction = 1e-11;  // two unit vectors that differ by less than this count as equal
 
 /// Returns the angle or distance by which the joint moves: the axis position, with the opposite sign for a reversed joint.
-double signed_way(const MachineJoint& joint, double position) { return joint.moves.reversed ? -position : position; }
+double signed_position(const MachineJoint& joint, double position) { return joint.moves.reversed ? -position : position; }
 
 /// Solves m·v = b for v by Cramer's rule. Returns nullopt if m is singular: its determinant is at most `least`.
 std::optional<Vec3> solved(const Mat3& m, Vec3 b, double least) {
@@ -58,7 +58,7 @@ MachineTree::MachineTree(const MachineProfile& profile, const std::vector<std::s
 }
 
 double MachineTree::position(const MachineJoint& joint, const Axes& axes) {
-  return joint.axis < 0 ? 0 : signed_way(joint, axes[static_cast<std::size_t>(joint.axis)]);
+  return joint.axis < 0 ? 0 : signed_position(joint, axes[static_cast<std::size_t>(joint.axis)]);
 }
 
 Pose MachineTree::forward(const Axes& axes, double tool_length) const {
@@ -105,13 +105,13 @@ FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary)
 
 /// Turns the tool to the wanted direction with any number of rotary axes. It iterates damped Gauss-Newton steps; each step is the smallest
 /// change of the axis positions that gives the missing change of direction.
-bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
+bool MachineTree::turn_by_steps(Vec3 target, Axes& axes) const {
   const std::vector<const MachineJoint*> rotary = joints(true);
   constexpr int max_steps = 100;
   constexpr double probe = 1e-4;  // step of the axis position, degrees, for the numerical derivative
   for (int step = 0; step < max_steps; ++step) {
-    const Vec3 now = direction(axes), missing = wanted - now;
-    if (length(missing) < same_way) return true;
+    const Vec3 now = direction(axes), missing = target - now;
+    if (length(missing) < same_direction) return true;
     std::vector<Vec3> change;
     for (const MachineJoint* joint : rotary) {
       if (joint->axis < 0) continue;
@@ -134,15 +134,15 @@ bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
       at = std::clamp(at + std::clamp(dot(change[i++], *weight) / rad_per_deg, -widest, widest), joint->least, joint->most);
     }
   }
-  return length(wanted - direction(axes)) < 1e-9;
+  return length(target - direction(axes)) < 1e-9;
 }
 
-bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
-  if (length(wanted - direction(axes)) < same_way) return true;
+bool MachineTree::turn_to(Vec3 target, Axes& axes) const {
+  if (length(target - direction(axes)) < same_direction) return true;
   const std::vector<const MachineJoint*> rotary = joints(true);
   if (rotary.size() == 2 && rotary[0]->axis >= 0 && rotary[1]->axis >= 0) {
     const auto at = [&](const MachineJoint* joint) -> double& { return axes[static_cast<std::size_t>(joint->axis)]; };
-    const auto pair = directions(rotary).chosen(wanted, {at(rotary[0]), at(rotary[1])});
+    const auto pair = directions(rotary).chosen(target, {at(rotary[0]), at(rotary[1])});
     if (!pair) return false;
     at(rotary[0]) = pair->first;
     at(rotary[1]) = pair->second;
@@ -158,7 +158,7 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
         double& at = axes[static_cast<std::size_t>(rotary[which]->axis)];
         at = std::clamp(at + first, rotary[which]->least, rotary[which]->most);
       }
-      if (turn_by_steps(wanted, axes)) return true;
+      if (turn_by_steps(target, axes)) return true;
     }
   return false;
 }

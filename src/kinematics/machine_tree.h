@@ -46,8 +46,8 @@ class MachineTree {
  private:
   static double position(const MachineJoint& joint, const Axes& axes);
   Vec3 direction(const Axes& axes) const { return forward(axes, 0).direction; }
-  bool turn_to(Vec3 wanted, Axes& axes) const;
-  bool turn_by_steps(Vec3 wanted, Axes& axes) const;
+  bool turn_to(Vec3 target, Axes& axes) const;
+  bool turn_by_steps(Vec3 target, Axes& axes) const;
   bool move_to(Vec3 tip, Axes& axes, double tool_length) const;
   std::vector<const MachineJoint*> joints(bool rotary) const;
   FiveAxis directions(const std::vector<const MachineJoint*>& rotary) const;

@@ -15,7 +15,7 @@ constexpr int max_rim_steps = 10'000;
 constexpr double rim_reached = 1e-10;  // distance of the ball from the top edge of the hole, mm, at which the search along the path stops
 
 /// The path of the centre of the probe's ball. The origin of its coordinates is on the axis of the hole, at the top face.
-struct Way {
+struct BallCentrePath {
   Vec3 from;
   Vec3 along;     // vector from start to end
   double hole;    // radius of the hole, mm
@@ -27,36 +27,36 @@ struct Way {
 };
 
 /// Returns the distance in mm between a point and the workpiece; negative if the point is inside the workpiece.
-double clearance(const Way& way, Vec3 p) {
-  const double rho = Way::off_axis(p);
-  if (p.z >= 0 && rho >= way.hole) return p.z;
-  if (p.z >= 0) return std::min(std::hypot(way.hole - rho, p.z), p.z - way.bottom);
-  if (rho >= way.hole || p.z <= way.bottom) return -1;
-  return std::min(way.hole - rho, p.z - way.bottom);
+double clearance(const BallCentrePath& path, Vec3 p) {
+  const double rho = BallCentrePath::off_axis(p);
+  if (p.z >= 0 && rho >= path.hole) return p.z;
+  if (p.z >= 0) return std::min(std::hypot(path.hole - rho, p.z), p.z - path.bottom);
+  if (rho >= path.hole || p.z <= path.bottom) return -1;
+  return std::min(path.hole - rho, p.z - path.bottom);
 }
 
 /// Returns the fraction (0 to 1) of the path at which the ball's centre descends to `level`; nullopt if it does not.
-std::optional<double> down_to(const Way& way, double level) {
-  if (!(way.along.z < 0)) return std::nullopt;
-  const double part = (level - way.from.z) / way.along.z;
-  return part >= -tol::same_point / std::abs(way.along.z) && part <= 1 ? std::optional(std::max(part, 0.0)) : std::nullopt;
+std::optional<double> down_to(const BallCentrePath& path, double level) {
+  if (!(path.along.z < 0)) return std::nullopt;
+  const double part = (level - path.from.z) / path.along.z;
+  return part >= -tol::same_point / std::abs(path.along.z) && part <= 1 ? std::optional(std::max(part, 0.0)) : std::nullopt;
 }
 
-std::optional<double> top_face(const Way& way) {
-  const auto part = down_to(way, way.tip);
-  return part && Way::off_axis(way.at(*part)) >= way.hole ? part : std::nullopt;
+std::optional<double> top_face(const BallCentrePath& path) {
+  const auto part = down_to(path, path.tip);
+  return part && BallCentrePath::off_axis(path.at(*part)) >= path.hole ? part : std::nullopt;
 }
 
-std::optional<double> bottom_face(const Way& way) {
-  const auto part = down_to(way, way.bottom + way.tip);
-  return part && Way::off_axis(way.at(*part)) <= way.hole - way.tip + tol::same_point ? part : std::nullopt;
+std::optional<double> bottom_face(const BallCentrePath& path) {
+  const auto part = down_to(path, path.bottom + path.tip);
+  return part && BallCentrePath::off_axis(path.at(*part)) <= path.hole - path.tip + tol::same_point ? part : std::nullopt;
 }
 
 /// Returns the fraction (0 to 1) of the path at which the ball (radius r) touches the wall of the hole (radius R). At this point the ball's
 /// centre leaves the cylinder of radius R − r: the fraction is the greater root of |from + part·along|² = (R − r)² in the XY plane.
-std::optional<double> wall(const Way& way) {
-  const double reach = way.hole - way.tip;
-  const Vec2 from{way.from.x, way.from.y}, along{way.along.x, way.along.y};
+std::optional<double> wall(const BallCentrePath& path) {
+  const double reach = path.hole - path.tip;
+  const Vec2 from{path.from.x, path.from.y}, along{path.along.x, path.along.y};
   const double a = dot(along, along), b = dot(from, along);
   if (reach < 0 || a == 0) return std::nullopt;
   const double rho = length(from);
@@ -67,21 +67,21 @@ std::optional<double> wall(const Way& way) {
   // Of two equivalent formulas, the code uses the one without cancellation of digits
   const double part = b > 0 ? -c / (b + root) : (root - b) / a;
   if (!(part >= -tol::same_point / std::sqrt(a) && part <= 1)) return std::nullopt;
-  const double z = way.at(part).z;
-  return z <= 0 && z > way.bottom ? std::optional(std::max(part, 0.0)) : std::nullopt;
+  const double z = path.at(part).z;
+  return z <= 0 && z > path.bottom ? std::optional(std::max(part, 0.0)) : std::nullopt;
 }
 
 /// Returns the fraction (0 to 1) of the path at which the ball touches the rim, the top edge of the hole. Each step of the search advances
 /// by the ball's distance from the rim, so the search cannot miss the rim.
-std::optional<double> rim(const Way& way) {
-  const double whole = length(way.along);
+std::optional<double> rim(const BallCentrePath& path) {
+  const double whole = length(path.along);
   double gone = 0;
   for (int step = 0; step < max_rim_steps && gone <= whole; ++step) {
-    const Vec3 p = way.at(gone / whole);
-    const double free = std::hypot(Way::off_axis(p) - way.hole, p.z) - way.tip;
+    const Vec3 p = path.at(gone / whole);
+    const double free = std::hypot(BallCentrePath::off_axis(p) - path.hole, p.z) - path.tip;
     if (free < rim_reached) {
-      const Vec3 next = way.at((gone + tol::same_point) / whole);
-      const bool leaving = std::hypot(Way::off_axis(next) - way.hole, next.z) - way.tip >= free;
+      const Vec3 next = path.at((gone + tol::same_point) / whole);
+      const bool leaving = std::hypot(BallCentrePath::off_axis(next) - path.hole, next.z) - path.tip >= free;
       if (!leaving) return gone / whole;
       gone += tol::same_point;
     } else {
@@ -95,11 +95,11 @@ std::optional<double> rim(const Way& way) {
 
 std::optional<double> first_touch(const ProbeHole& hole, Vec3 from, Vec3 to) {
   const Vec3 origin{hole.center_x, hole.center_y, hole.top};
-  const Way way{from - origin, to - from, hole.diameter / 2, hole.tip_radius, -hole.depth};
-  if (length(way.along) == 0) return std::nullopt;
-  if (clearance(way, way.from) < way.tip - tol::same_point) return 0.0;
+  const BallCentrePath path{from - origin, to - from, hole.diameter / 2, hole.tip_radius, -hole.depth};
+  if (length(path.along) == 0) return std::nullopt;
+  if (clearance(path, path.from) < path.tip - tol::same_point) return 0.0;
   std::optional<double> first;
-  for (const auto touch : {top_face(way), bottom_face(way), wall(way), rim(way)})
+  for (const auto touch : {top_face(path), bottom_face(path), wall(path), rim(path)})
     if (touch && (!first || *touch < *first)) first = touch;
   return first;
 }
@@ -118,9 +118,9 @@ ProbeAnswer Probe::meet(const Axes& from, const Axes& to, int input) const {
   const Switch* met = nullptr;
   for (const Switch& signal : switches_) {
     if (input != 0 && signal.input != input) continue;
-    const double way = to[signal.axis] - from[signal.axis];
-    const double there = (signal.position - from[signal.axis]) / way;
-    if (way == 0 || !(there >= 0 && there <= 1) || there >= part) continue;
+    const double travel = to[signal.axis] - from[signal.axis];
+    const double there = (signal.position - from[signal.axis]) / travel;
+    if (travel == 0 || !(there >= 0 && there <= 1) || there >= part) continue;
     part = there;
     met = &signal;
   }

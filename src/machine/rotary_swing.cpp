@@ -28,11 +28,11 @@ std::optional<RotarySwing> SingularityWatch::look(const Step& step) {
   if (motion == nullptr || !controls_tip(step.from, *motion) || motion->kind == MotionKind::rapid || motion->kind == MotionKind::home)
     return std::nullopt;
   RotarySwing whirl = farthest_of(step, *motion);
-  whirl.way = step.curve().length();
+  whirl.tip_travel = step.curve().length();
   const bool before = swings_;
-  swings_ = whirl.degrees >= least && whirl.way > stands && whirl.degrees > most * whirl.way;
-  if (!swings_ || before || told_ >= max_reported) return std::nullopt;
-  ++told_;
+  swings_ = whirl.degrees >= least && whirl.tip_travel > stands && whirl.degrees > most * whirl.tip_travel;
+  if (!swings_ || before || reported_ >= max_reported) return std::nullopt;
+  ++reported_;
   return whirl;
 }
 

@@ -11,8 +11,8 @@ namespace kadr {
 
 struct RotarySwing {
   std::size_t axis = 0;
-  double degrees = 0;  // angle by which the axis turns in the motion, degrees
-  double way = 0;      // length of the tip's path in the same motion, mm
+  double degrees = 0;     // angle by which the axis turns in the motion, degrees
+  double tip_travel = 0;  // length of the tip's path in the same motion, mm
 };
 
 class SingularityWatch {
@@ -27,7 +27,7 @@ class SingularityWatch {
 
  private:
   bool swings_ = false;
-  int told_ = 0;
+  int reported_ = 0;
 };
 
 }  // namespace kadr

@@ -239,7 +239,7 @@ void end_at(Motion& motion, const ProbeAnswer& answer, const FrameTurn* turn) {
   motion.to = answer.at;
   if (!motion.detail || answer.part == 1) return;
   auto detail = std::make_shared<MotionDetail>(*motion.detail);
-  for (double& way : detail->travel) way *= answer.part;
+  for (double& travel : detail->travel) travel *= answer.part;
   detail->flat_to = detail->flat_from + answer.part * (detail->flat_to - detail->flat_from);
   motion.detail = std::move(detail);
 }

@@ -13,12 +13,12 @@ std::optional<double> line_meets(const ZoneBox& box, const Axes& from, const Axe
   double enters = 0, leaves = 1;
   for (std::size_t i = 0; i < max_axes; ++i) {
     if (!box.has(i)) continue;
-    const double way = to[i] - from[i];
-    if (way == 0) {
+    const double travel = to[i] - from[i];
+    if (travel == 0) {
       if (from[i] < box.least[i] || from[i] > box.most[i]) return std::nullopt;
       continue;
     }
-    const auto [first, last] = std::minmax({(box.least[i] - from[i]) / way, (box.most[i] - from[i]) / way});
+    const auto [first, last] = std::minmax({(box.least[i] - from[i]) / travel, (box.most[i] - from[i]) / travel});
     enters = std::max(enters, first);
     leaves = std::min(leaves, last);
   }

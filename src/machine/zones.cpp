@@ -102,7 +102,7 @@ Status Zones::check(const ToolPosition& from, const Motion& motion) const {
   const Curve curve(roles_, from.work, motion);
   const MachinePath path(roles_, from, motion, curve);
   if (checks_before_) KADR_TRY(before_start(path, motion.machine));
-  return on_the_way(path);
+  return during_motion(path);
 }
 
 Status Zones::end_within(const ZoneBox& box, const Axes& end, Ids ids) const {
@@ -158,7 +158,7 @@ void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids,
 
 /// Finds the zone that the motion meets first (nct 22.1 to 22.3). With N1001#2 CBM, before_start() has checked the zones, and only the
 /// limit switches and, for curves, the limits remain to be checked.
-Status Zones::on_the_way(const MachinePath& path) const {
+Status Zones::during_motion(const MachinePath& path) const {
   Reached first;
   limits_reached(path, switches_, {AlarmId::switch_positive, AlarmId::switch_negative}, first);
   if (checks_before_ && path.straight()) return first.part <= 1 ? Status(fail(first.alarm)) : Status();

@@ -85,7 +85,7 @@ class Zones {
   ZoneBox closed3() const;
   Status end_within(const ZoneBox& box, const Axes& end, Ids ids) const;
   Status before_start(const MachinePath& path, const Axes& end) const;
-  Status on_the_way(const MachinePath& path) const;
+  Status during_motion(const MachinePath& path) const;
   void limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids, Reached& first) const;
 
   std::vector<std::string> names_;

@@ -12,7 +12,7 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double same_place = 1e-9;  // Positions whose difference is smaller than this value are equal; mm, degrees.
-constexpr double beside = 1e-6;      // An axis farther than this from the programmed position is off the programmed path; mm, degrees.
+constexpr double off_path = 1e-6;    // An axis farther than this from the programmed position is off the programmed path; mm, degrees.
 
 /// Returns the set-up `now` without the changes that the use of tools has caused, because these are not edits of the operator.
 Setup by_hand(const Setup& before, Setup now) {
@@ -41,24 +41,24 @@ bool is_same(const PanelLocation& a, const PanelLocation& b) {
 
 }  // namespace
 
-void PanelMachine::tell(const char* kind, const std::string& text, std::uint32_t line) const {
+void PanelMachine::notify(const char* kind, const std::string& text, std::uint32_t line) const {
   if (keeper_.event) keeper_.event(kind, text, line);
 }
 
 /// Saves the location of the machine: the block that the machine is executing, or is held before, or to which it moves for a restart.
 void PanelMachine::save_location(const PanelState& now) {
   if (!keeper_.spot) return;
-  const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
+  const bool runs = running_ && running_->of == Run::Of::program;
   PanelLocation spot;
   spot.mode = now.mode;
   spot.machine = now.sample.machine;
   for (const PanelChannel& channel : now.channels) spot.stands.push_back(channel.sample.machine);
   // A line of the operator does not change the location in the program.
-  const bool leads_elsewhere = stretch_ && stretch_->of == Stretch::Of::line;
+  const bool moves_elsewhere = running_ && running_->of == Run::Of::line;
   if (runs) spot.number = lane_->on.number;
   else if (stepping_->next()) spot.number = stepping_->next()->number - std::uint32_t(entered_);
   // At a block without a motion the saved number does not change.
-  if (leads_elsewhere || (runs && spot.number == 0)) spot.number = saved_location_.number;
+  if (moves_elsewhere || (runs && spot.number == 0)) spot.number = saved_location_.number;
   spot.line = now.line.number, spot.text = now.line.text;
   const std::uint16_t file = going_              ? going_->place->restart.at.file
                              : runs              ? lane_->on.origin.file
@@ -75,7 +75,7 @@ void PanelMachine::save_location(const PanelState& now) {
     saved_location_ = std::move(spot);
     return;
   }
-  kept_.not_kept = keeper_.spot(spot);
+  panel_state_.save_fault = keeper_.spot(spot);
   saved_location_ = std::move(spot);
 }
 
@@ -99,7 +99,7 @@ void PanelMachine::keep_tables(const Setup& before) {
   if (!keeper_.tables) return;
   const Setup now = by_hand(before, session_->control().tables_now());
   if (are_same(before, now)) return;
-  if (const std::string fault = keeper_.tables(before, now); !fault.empty()) kept_.told = fault;
+  if (const std::string fault = keeper_.tables(before, now); !fault.empty()) panel_state_.message = fault;
   begin_search();  // The search must use the changed tables, so it starts again.
 }
 
@@ -107,7 +107,7 @@ tl::expected<PanelTables, std::string> PanelMachine::tables() {
   // The result is shared with the request, which may be executed after this call has timed out.
   const auto tables = std::make_shared<PanelTables>();
   const Answer answer = ask([this, tables]() -> Answer {
-    if (!stretch_) note_variables(last_line_);
+    if (!running_) note_variables(last_line_);
     tables->state = session_->control().run_state();
     for (const auto& [name, value] : variables_) {
       const auto by = set_by_.find(name);
@@ -138,7 +138,7 @@ bool PanelMachine::is_in_contour() const {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     const Axes stand = session_->stand(i).machine, programmed = session_->channels()[i].control->tool_position().machine;
     for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a)
-      if (std::abs(stand[a] - programmed[a]) > beside) return true;
+      if (std::abs(stand[a] - programmed[a]) > off_path) return true;
   }
   return false;
 }
@@ -183,14 +183,14 @@ void PanelMachine::apply_edited_tables() {
   if (taken) taken = begin_session(start_);
   if (taken) taken = resume_from(*found.place);
   if (!taken) {
-    kept_.told = taken.error();
+    panel_state_.message = taken.error();
   } else {
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
       const Axes machine = lanes_[i]->clock.sample().machine;
       if (!session_->channels()[i].control->meeting()) session_->stand_at(i, machine);
       lanes_[i]->on.work = session_->stand(i).work, lanes_[i]->on.machine = machine;
     }
-    kept_.mode = PanelMode::standing;
+    panel_state_.mode = PanelMode::standing;
   }
   show();
 }

@@ -50,19 +50,20 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   {
     const std::lock_guard hold(lock_);
     if (ends_) return Failed(translated(texts::panel::off));
-    asked_.push_back({[what = std::move(what), lang = thread_language()] {
-                        set_thread_language(lang);  // the messages of the request are in the caller's language
-                        return what();
-                      },
-                      {},
-                      number = ++asked_count_});
-    answer = asked_.back().answer.get_future();
+    requests_.push_back({[what = std::move(what), lang = thread_language()] {
+                           set_thread_language(lang);  // the messages of the request are in the caller's language
+                           return what();
+                         },
+                         {},
+                         number = ++request_count_});
+    answer = requests_.back().answer.get_future();
   }
   wakes_.notify_all();
   if (answer.wait_for(answers_within) == std::future_status::ready) return answer.get();
   {
     const std::lock_guard hold(lock_);
-    if (std::erase_if(asked_, [&](const Asked& one) { return one.number == number; }) != 0) return Failed(translated(texts::panel::busy));
+    if (std::erase_if(requests_, [&](const Request& one) { return one.number == number; }) != 0)
+      return Failed(translated(texts::panel::busy));
   }
   if (answer.wait_for(done_within) == std::future_status::ready) return answer.get();
   return Failed(translated(texts::panel::not_over_yet));
@@ -70,12 +71,12 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
 
 void PanelMachine::execute_requests() {
   while (true) {
-    Asked next;
+    Request next;
     {
       const std::lock_guard hold(lock_);
-      if (asked_.empty()) return;
-      next = std::move(asked_.front());
-      asked_.pop_front();
+      if (requests_.empty()) return;
+      next = std::move(requests_.front());
+      requests_.pop_front();
     }
     Answer answer;
     try {
@@ -94,13 +95,13 @@ void PanelMachine::execute_requests() {
 bool PanelMachine::look_round() {
   if (!ends_ && must_stop()) stand_still();
   execute_requests();
-  if (stretch_ && !must_stop()) watch_run();
+  if (running_ && !must_stop()) watch_run();
   if (retables_) apply_edited_tables();
   std::unique_lock hold(lock_);
   if (ends_) return false;
-  const auto is_asked = [this] { return ends_ || !asked_.empty() || must_stop(); };
-  if (stretch_ || retables_) wakes_.wait_for(hold, look_every, is_asked);
-  else wakes_.wait(hold, is_asked);
+  const auto has_request = [this] { return ends_ || !requests_.empty() || must_stop(); };
+  if (running_ || retables_) wakes_.wait_for(hold, look_every, has_request);
+  else wakes_.wait(hold, has_request);
   return true;
 }
 
@@ -113,14 +114,14 @@ void PanelMachine::live() {
     }
   }
   drop_run();
-  while (!asked_.empty()) asked_.front().answer.set_value({}), asked_.pop_front();
+  while (!requests_.empty()) requests_.front().answer.set_value({}), requests_.pop_front();
 }
 
 void PanelMachine::stand_still() {
   drop_run();
   retables_.reset();
-  kept_.mode = PanelMode::emergency;
-  tell("emergency");
+  panel_state_.mode = PanelMode::emergency;
+  notify("emergency");
   show();
 }
 
@@ -129,18 +130,18 @@ void PanelMachine::watch_run() {
   const bool stand = std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->stands(); });
   if (resets_ && stand) {
     drop_run();
-    if (const Answer opened = start_over(); !opened) kept_.told = opened.error();
+    if (const Answer opened = start_over(); !opened) panel_state_.message = opened.error();
     return;
   }
   const bool held = std::any_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->clock.sample().held; });
-  kept_.mode = stand && held ? PanelMode::held : PanelMode::running;
+  panel_state_.mode = stand && held ? PanelMode::held : PanelMode::running;
   if (is_over()) end_run();
   show();
 }
 
 /// Returns the line of the block that the machine is executing if this block belongs to the program; otherwise the line of the next block.
 AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
-  const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
+  const bool runs = running_ && running_->of == Run::Of::program;
   if (!runs && stepping_->next()) return stepping_->line();
   Origin origin = lane_->on.entered ? Origin() : lane_->block();
   if (const Spent at = Spent::of(sample.tag); runs && sample.motion == 0 && at.line != 0 && lane_->waits_for() == nullptr)
@@ -149,13 +150,13 @@ AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
 }
 
 void PanelMachine::show() {
-  PanelState now = kept_;
+  PanelState now = panel_state_;
   for (const auto& lane : lanes_) lane->note_block();
   now.sample = lane_->clock.sample();
   now.block = lane_->on;
   now.limit = lane_->limit();
   show_channels(now);
-  now.entered = stretch_ && stretch_->of == Stretch::Of::line;
+  now.entered = running_ && running_->of == Run::Of::line;
   now.goes_there = going_.has_value();
   now.takes_tables = retables_.has_value();
   now.line = line_of(now.sample);
@@ -163,7 +164,7 @@ void PanelMachine::show() {
   now.can_undo = before_.size();
   now.blocks = session_->blocks();
   save_location(now);
-  now.not_kept = kept_.not_kept;
+  now.save_fault = panel_state_.save_fault;
   apply_overrides();
   const std::lock_guard hold(lock_);
   shown_ = std::move(now);
@@ -190,7 +191,7 @@ PanelState PanelMachine::state() {
 
 PanelMachine::Answer PanelMachine::may_begin() const {
   if (retables_) return Failed(translated(texts::panel::taking_tables));
-  switch (kept_.mode) {
+  switch (panel_state_.mode) {
     case PanelMode::standing:
     case PanelMode::ended: return {};
     case PanelMode::running:
@@ -202,26 +203,26 @@ PanelMachine::Answer PanelMachine::may_begin() const {
 }
 
 void PanelMachine::apply_overrides() {
-  for (const auto& lane : lanes_) lane->apply_overrides(kept_.shares, holds_ || resets_);
+  for (const auto& lane : lanes_) lane->apply_overrides(panel_state_.shares, holds_ || resets_);
 }
 
 /// Continues the program. After a feed hold, the function returns only when the axes move again.
 PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
   const Answer runs = ask([this, how]() -> Answer {
-    if (stretch_) {
+    if (running_) {
       holds_ = false;
       apply_overrides();
       return {};
     }
     if (const Answer may = may_begin(); !may) return may;
-    if (kept_.asks) return Failed(translated(texts::panel::waits_for_answer));
-    if (kept_.mode == PanelMode::ended)
+    if (panel_state_.asks) return Failed(translated(texts::panel::waits_for_answer));
+    if (panel_state_.mode == PanelMode::ended)
       if (const Answer opened = open(lane_->clock.sample().machine); !opened) return opened;
-    kept_.told.clear(), kept_.why.clear();
-    kept_.alarm.reset();
-    tell("run", {}, stepping_->line().number);
+    panel_state_.message.clear(), panel_state_.why.clear();
+    panel_state_.alarm.reset();
+    notify("run", {}, stepping_->line().number);
     how_ = how;
-    begin(Stretch::Of::program, own_);
+    begin(Run::Of::program, own_);
     return {};
   });
   if (runs) wait_until_seen([this] { return state().mode != PanelMode::held; });
@@ -232,12 +233,12 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
   if (!(answer >= 0 && answer <= 3)) return Failed(translated(texts::panel::answer_limits));
   return ask([this, answer]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
-    if (!kept_.asks) return Failed(translated(texts::panel::nothing_asked));
+    if (!panel_state_.asks) return Failed(translated(texts::panel::nothing_asked));
     asks_->set_answer(answer);
-    kept_.asks = false;
-    kept_.told.clear(), kept_.why.clear();
+    panel_state_.asks = false;
+    panel_state_.message.clear(), panel_state_.why.clear();
     how_.reset();
-    begin(Stretch::Of::program, own_);
+    begin(Run::Of::program, own_);
     return {};
   });
 }
@@ -247,8 +248,8 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
 PanelMachine::Answer PanelMachine::hold() {
   const double share = lane_->clock.sample().share;
   const Answer held = ask([this]() -> Answer {
-    holds_ = stretch_.has_value();
-    if (holds_) tell("hold", {}, lane_->on.origin.line);
+    holds_ = running_.has_value();
+    if (holds_) notify("hold", {}, lane_->on.origin.line);
     apply_overrides();
     return {};
   });
@@ -262,10 +263,10 @@ PanelMachine::Answer PanelMachine::hold() {
 PanelMachine::Answer PanelMachine::reset() {
   stops_ = true;  // The flag interrupts a block that would never end.
   return ask([this]() -> Answer {
-    kept_.told.clear(), kept_.why.clear();
+    panel_state_.message.clear(), panel_state_.why.clear();
     for (const auto& lane : lanes_) lane->clock.release();
-    tell("reset");
-    if (!stretch_) return start_over();
+    notify("reset");
+    if (!running_) return start_over();
     resets_ = true;
     apply_overrides();
     return {};
@@ -282,16 +283,16 @@ void PanelMachine::stop_at_once() {
 
 PanelMachine::Answer PanelMachine::set_single(bool on) {
   return ask([this, on]() -> Answer {
-    kept_.single = on;
-    if (on && stretch_ && stretch_->of == Stretch::Of::program) stepping_->hold_next();
+    panel_state_.single = on;
+    if (on && running_ && running_->of == Run::Of::program) stepping_->hold_next();
     return {};
   });
 }
 
 PanelMachine::Answer PanelMachine::set_optional_stop(bool on) {
   return ask([this, on]() -> Answer {
-    if (kept_.optional_stop == on) return {};
-    kept_.optional_stop = on;
+    if (panel_state_.optional_stop == on) return {};
+    panel_state_.optional_stop = on;
     obey_switches();
     begin_search();
     return {};
@@ -301,8 +302,8 @@ PanelMachine::Answer PanelMachine::set_optional_stop(bool on) {
 PanelMachine::Answer PanelMachine::set_skip(int number, bool on) {
   if (number < 1 || number > 9) return Failed(translated(texts::panel::skip_limits));
   return ask([this, number, on]() -> Answer {
-    if (on) kept_.skip.insert(number);
-    else kept_.skip.erase(number);
+    if (on) panel_state_.skip.insert(number);
+    else panel_state_.skip.erase(number);
     obey_switches();
     begin_search();
     return {};
@@ -316,9 +317,9 @@ PanelMachine::Answer PanelMachine::set_overrides(const PanelOverrides& shares) {
     return Failed(translated(texts::panel::spindle_limits));
   if (!(shares.dry_feed >= 0 && shares.dry_feed <= 1e5)) return Failed(translated(texts::panel::dry_run_limits));
   return ask([this, shares]() -> Answer {
-    kept_.shares = shares;
-    tell("override", fmt::format("F {:.0f} % G0 {:.0f} % S {:.0f} %{}", 100 * shares.feed, 100 * shares.rapid, 100 * shares.spindle,
-                                 shares.dry_feed > 0 ? fmt::format(" dry {:.0f}", shares.dry_feed) : std::string()));
+    panel_state_.shares = shares;
+    notify("override", fmt::format("F {:.0f} % G0 {:.0f} % S {:.0f} %{}", 100 * shares.feed, 100 * shares.rapid, 100 * shares.spindle,
+                                   shares.dry_feed > 0 ? fmt::format(" dry {:.0f}", shares.dry_feed) : std::string()));
     apply_overrides();
     return {};
   });
@@ -334,9 +335,9 @@ PanelMachine::Answer PanelMachine::enter(const std::string& line) {
     if (!memory) return Failed(translated(texts::panel::waits_for_probe));
     if (before_.size() == most_undone) before_.erase(before_.begin());
     before_.push_back({std::move(*memory), lane_->clock.sample().machine, lane_->placement, entered_});
-    kept_.told.clear(), kept_.why.clear();
-    kept_.alarm.reset();
-    tell("line", line);
+    panel_state_.message.clear(), panel_state_.why.clear();
+    panel_state_.alarm.reset();
+    notify("line", line);
     begin_line(line, own_);
     return {};
   });
@@ -355,8 +356,8 @@ PanelMachine::Answer PanelMachine::undo() {
     entered_ = before.entered;
     note_variables(0);
     keep_tables(tables);
-    kept_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
-    kept_.alarm.reset();
+    panel_state_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
+    panel_state_.alarm.reset();
     lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;
     lane_->on.work = session_->stand().work, lane_->on.machine = before.machine, lane_->on.placement = lane_->placement;
     lane_->on.modes = std::make_shared<PanelModes>(PanelModes{session_->control().in_force(), {}});
@@ -364,13 +365,13 @@ PanelMachine::Answer PanelMachine::undo() {
   });
 }
 
-PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, double feed, int channel) {
-  return ask([this, axis, way, feed, channel]() -> Answer {
+PanelMachine::Answer PanelMachine::jog(const std::string& axis, double distance, double feed, int channel) {
+  return ask([this, axis, distance, feed, channel]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
     const auto is_it = [&](const auto& lane) { return channel == 0 ? lane.get() == lane_ : lane->number == channel; };
     const auto found = std::find_if(lanes_.begin(), lanes_.end(), is_it);
     if (found == lanes_.end()) return Failed(translated(texts::panel::no_such_channel));
-    return move_by_hand(std::size_t(found - lanes_.begin()), axis, way, feed);
+    return move_by_hand(std::size_t(found - lanes_.begin()), axis, distance, feed);
   });
 }
 
@@ -378,11 +379,11 @@ tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
   // The number is shared with the request, which may be executed after this call has timed out.
   const auto number = std::make_shared<std::size_t>(0);
   const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
-    if (kept_.stops.size() == max_stops) return Failed(translated(texts::panel::too_many_stops));
+    if (panel_state_.stops.size() == max_stops) return Failed(translated(texts::panel::too_many_stops));
     if (!point.condition.empty())
       if (const auto holds = stepping_->holds(point.condition); !holds) return Failed(translated(texts::panel::condition_wrong));
     *number = stepping_->add(point);
-    kept_.stops.emplace(*number, point);
+    panel_state_.stops.emplace(*number, point);
     return {};
   });
   if (!answer) return Failed(answer.error());
@@ -392,7 +393,7 @@ tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
 PanelMachine::Answer PanelMachine::remove_stop(std::size_t number) {
   return ask([this, number]() -> Answer {
     if (!stepping_->remove(number)) return Failed(translated(texts::panel::no_such_stop));
-    kept_.stops.erase(number);
+    panel_state_.stops.erase(number);
     return {};
   });
 }

@@ -60,11 +60,11 @@ struct PanelState {
   std::set<int> skip;
   std::map<std::size_t, StopPoint> stops;
   std::size_t hit = 0;        // number of the stop point that holds the program; 0: no stop point holds it
-  std::string told;           // the message that the program displays
+  std::string message;        // the message that the program displays
   std::string why;            // reason for the stop: "M0", "M1", "restart"; empty: another reason
-  bool asks = false;          // True if the program waits for the operator's answer() to the question in `told`.
+  bool asks = false;          // True if the program waits for the operator's answer() to the question in `message`.
   bool takes_tables = false;  // true while edited tables are being applied
-  std::string not_kept;       // An error sentence that states why the machine's data cannot be saved; empty: the data are saved.
+  std::string save_fault;     // An error sentence that states why the machine's data cannot be saved; empty: the data are saved.
   // True while a restart in mid-program is in progress: the axes move to the block at which the program continues.
   bool goes_there = false;
   std::optional<AlarmReport> alarm;
@@ -134,7 +134,7 @@ struct PanelRun {
 /// A path along which one channel moves to its restart position.
 struct PanelPath {
   std::size_t channel = 0;  // index of the channel
-  std::vector<WayPoint> way;
+  std::vector<WayPoint> points;
 };
 
 /// The state of a restart while the machine moves to the block at which the program continues.
@@ -144,9 +144,9 @@ struct PanelApproach {
     std::string text;
   };
   std::shared_ptr<const RestartPoint> place;
-  std::deque<Line> before;     // lines to execute before the axes move along the paths
-  std::deque<PanelPath> ways;  // the paths to move along, one after another
-  std::deque<Line> after;      // lines to execute after the motion along the paths
+  std::deque<Line> before;      // lines to execute before the axes move along the paths
+  std::deque<PanelPath> paths;  // the paths to move along, one after another
+  std::deque<Line> after;       // lines to execute after the motion along the paths
   bool is_there = false;
 };
 
@@ -194,12 +194,12 @@ class PanelMachine {
   /// Restores the control and the virtual machine to their state before the last entered line. A real machine cannot do this.
   Answer undo();
   /// Moves an axis by hand.
-  ///   way      distance in machine coordinates, mm or degrees
+  ///   distance  distance in machine coordinates, mm or degrees
   ///   feed     mm/min or degrees/min; 0: the highest speed of the axis
   ///   channel  number of the channel that has the axis; 0: the program's own channel
-  Answer jog(const std::string& axis, double way, double feed, int channel = 0);
-  /// Moves the axes of the program's own channel by hand along the path `way`.
-  Answer lead(const std::vector<WayPoint>& way);
+  Answer jog(const std::string& axis, double distance, double feed, int channel = 0);
+  /// Moves the axes of the program's own channel by hand along the path `points`.
+  Answer move_along_path(const std::vector<WayPoint>& points);
   /// Adds a stop point, at which the program will be held.
   ///   returns  the number of the stop point
   tl::expected<std::size_t, std::string> add_stop(StopPoint point);
@@ -220,15 +220,16 @@ class PanelMachine {
     return search_->find(request);
   }
   /// Returns what must be done to bring the machine from its present state to the state at the restart position.
-  ///   returns  the sheet of the program's own channel, followed by one sheet per channel of RestartPoint::beside, in the same order
+  ///   returns  the sheet of the program's own channel, followed by one sheet per channel of RestartPoint::other_channels, in the same
+  ///   order
   tl::expected<std::vector<PanelSheet>, std::string> sheets(const std::shared_ptr<const RestartPoint>& place, const WayRules& rules);
   /// Moves the machine to the restart position and holds the program before the block at this position, as if the program had been executed
   /// up to this block.
   ///   left  keys (see key_of()) of the items that keep their present value; a key of another channel begins with the channel number:
   ///         "2/tool:"
-  ///   ways  the paths to move along, one after another: the paths of the sheets, or other paths that end at the same positions. A channel
+  ///   paths  the paths to move along, one after another: the paths of the sheets, or other paths that end at the same positions. A channel
   ///         without a path must already be at its position
-  Answer go_there(std::shared_ptr<const RestartPoint> place, const std::set<std::string>& left, std::vector<PanelPath> ways);
+  Answer go_there(std::shared_ptr<const RestartPoint> place, const std::set<std::string>& left, std::vector<PanelPath> paths);
 
   /// Sets an observer. The machine's thread calls it with each step that the control executes (program, entered lines, motion by hand), in
   /// their order and ahead of the machine. Call watch() before the first run().
@@ -244,7 +245,7 @@ class PanelMachine {
   std::size_t own() const { return own_; }
 
  private:
-  using Stretch = PanelRun;
+  using Run = PanelRun;
   /// The state before a line of the operator; undo() restores this state.
   struct Before {
     Stepping::Memory stepping;
@@ -252,7 +253,7 @@ class PanelMachine {
     Placement placement;
     std::uint64_t entered;
   };
-  struct Asked {
+  struct Request {
     std::function<Answer()> what;
     std::promise<Answer> answer;
     std::uint64_t number = 0;
@@ -267,7 +268,7 @@ class PanelMachine {
   void execute_requests();
   void watch_run();
   /// True if an emergency stop was requested and the machine's thread has not handled this request yet.
-  bool must_stop() const { return lane_->clock.was_stopped() && kept_.mode != PanelMode::emergency; }
+  bool must_stop() const { return lane_->clock.was_stopped() && panel_state_.mode != PanelMode::emergency; }
   void stand_still();
   Answer may_begin() const;
   void apply_overrides();
@@ -284,7 +285,7 @@ class PanelMachine {
   void stand_here();
   // The functions below are in panel_keeping.cpp.
   void save_location(const PanelState& now);
-  void tell(const char* kind, const std::string& text = {}, std::uint32_t line = 0) const;
+  void notify(const char* kind, const std::string& text = {}, std::uint32_t line = 0) const;
   void note_variables(std::uint32_t line);
   void apply_edited_tables();
   void keep_tables(const Setup& before);
@@ -295,7 +296,7 @@ class PanelMachine {
   void look(ChannelAxes& lane, Control& control, const Step& step);
   void begin_leg(std::size_t channel);
   void watch_channels();
-  void begin(Stretch::Of of, std::size_t channel);
+  void begin(Run::Of of, std::size_t channel);
   void begin_line(const std::string& line, std::size_t channel);
   void end_line();
   void provide();
@@ -307,15 +308,15 @@ class PanelMachine {
   void drop_run();
   ToolPosition standing_plainly(std::size_t channel) const;
   void begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& motions);
-  Answer move_by_hand(std::size_t channel, const std::string& axis, double way, double feed);
+  Answer move_by_hand(std::size_t channel, const std::string& axis, double distance, double feed);
   // The functions below are in panel_restart.cpp.
   Answer may_go_there() const;
-  tl::expected<Axes, std::string> end_of(const PanelPath& way) const;
-  Answer lead_to(const std::vector<PanelPath>& ways, const RestartPoint& place) const;
+  tl::expected<Axes, std::string> end_of(const PanelPath& path) const;
+  Answer check_paths(const std::vector<PanelPath>& paths, const RestartPoint& place) const;
   tl::expected<PanelSheet, std::string> sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block,
                                                          const WayRules& rules) const;
   Answer prepare(PanelApproach& going, std::size_t channel, const Restart& restart, bool in_block, const std::set<std::string>& left) const;
-  void match_paths(const PanelPath& way);
+  void match_paths(const PanelPath& path);
   Answer go_on_there();
   void execute(std::deque<PanelApproach::Line>& lines);
   Answer arrive(const RestartPoint& place);
@@ -337,7 +338,7 @@ class PanelMachine {
   std::vector<Axes> stands_;        // start position of each channel in machine coordinates: PanelStart::stands
   std::unique_ptr<Session> session_;
   std::unique_ptr<Stepping> stepping_;
-  std::optional<Stretch> stretch_;
+  std::optional<Run> running_;
   std::optional<Stepping::How> how_;  // how far the run of motion goes; nullopt: the single block switch decides
   bool holds_ = false;                // true while a feed hold is active
   bool resets_ = false;               // True if a reset was requested. The reset is executed when the axes are at rest.
@@ -356,13 +357,13 @@ class PanelMachine {
   std::map<std::string, double> variables_;
   std::map<std::string, std::uint32_t> set_by_;  // The program line that set each variable last. The key is the name of the variable.
   std::uint32_t last_line_ = 0;                  // number of the program line of the present block
-  PanelState kept_;                              // The part of the state that show() does not compute: switches, stop points, message.
+  PanelState panel_state_;                       // The part of the state that show() does not compute: switches, stop points, message.
 
   // Several threads use the members below; the mutex lock_ protects these members.
   std::mutex lock_;
   std::condition_variable wakes_;
-  std::deque<Asked> asked_;
-  std::uint64_t asked_count_ = 0;
+  std::deque<Request> requests_;
+  std::uint64_t request_count_ = 0;
   std::atomic<bool> ends_{false};
   std::mutex off_lock_;
   PanelState shown_;

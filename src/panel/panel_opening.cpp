@@ -44,8 +44,8 @@ PanelMachine::Answer PanelMachine::make_lanes() {
 
 void PanelMachine::obey_switches() {
   for (const Channel& channel : session_->channels()) {
-    for (int number = 1; number <= 9; ++number) channel.control->set_skip(number, kept_.skip.contains(number));
-    channel.control->set_optional_stop(kept_.optional_stop);
+    for (int number = 1; number <= 9; ++number) channel.control->set_skip(number, panel_state_.skip.contains(number));
+    channel.control->set_optional_stop(panel_state_.optional_stop);
   }
 }
 
@@ -57,21 +57,22 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
   stepping_.reset();
   session_ = std::move(*opened);
   if (lane_ == nullptr)
-    kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
+    panel_state_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()),
+        panel_state_.optional_stop = session_->setup().optional_stop;
   start_ = start;
   Control& control = session_->control();
   control.return_each_block();  // The control returns after each block, so that a stop request can hold the program before the next block.
   control.watch_calls();
   stepping_ = std::make_unique<Stepping>(*session_);
-  stepping_->keep(kept_.stops);
-  stepping_->on_asked = [this](const Origin& origin) {
+  stepping_->keep(panel_state_.stops);
+  stepping_->on_block = [this](const Origin& origin) {
     note_variables(last_line_);
     last_line_ = origin.line;
   };
   if (const Answer made = make_lanes(); !made) return made;
   obey_switches();
   const auto take = [this](const AlarmReport& report) {
-    kept_.alarm = report;
+    panel_state_.alarm = report;
     if (keeper_.alarm) keeper_.alarm(report);
   };
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
@@ -86,7 +87,7 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
     lanes_[i]->start_over();
   }
   watch_channels();
-  kept_.alarm.reset();
+  panel_state_.alarm.reset();
   before_.clear();
   retables_.reset();
   goes_on_ = false;
@@ -108,10 +109,10 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
   if (search_) begin_search();
   session_->alone(session_->own());  // The other channels start later, with the first run().
   const Session::State state = stepping_->go(Stepping::How::block);
-  kept_.asks = false;
+  panel_state_.asks = false;
   stand_here();
   goes_on_ = state == Session::State::held;
-  kept_.mode = goes_on_ ? PanelMode::standing : state == Session::State::stopped ? PanelMode::alarm : PanelMode::ended;
+  panel_state_.mode = goes_on_ ? PanelMode::standing : state == Session::State::stopped ? PanelMode::alarm : PanelMode::ended;
   show();
   return {};
 }
@@ -120,12 +121,12 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
 /// stop is over in this case too, so that the operator can move the axes by hand.
 PanelMachine::Answer PanelMachine::start_over() {
   Answer opened = open(lane_->clock.sample().machine);
-  if (!opened) kept_.mode = PanelMode::ended, kept_.alarm.reset();
+  if (!opened) panel_state_.mode = PanelMode::ended, panel_state_.alarm.reset();
   return opened;
 }
 
 /// Passes the start position and the switches of this run to the search.
-void PanelMachine::begin_search() { search_->begin({start_, stands_, kept_.skip, kept_.optional_stop}); }
+void PanelMachine::begin_search() { search_->begin({start_, stands_, panel_state_.skip, panel_state_.optional_stop}); }
 
 /// Sets the displayed position and modes before any axis has moved.
 void PanelMachine::stand_here() {

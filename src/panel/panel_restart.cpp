@@ -52,7 +52,7 @@ tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const st
     auto own = sheet_of_channel(own_, place->restart, place->in_block, rules);
     if (!own) return Failed(own.error());
     sheets->push_back(std::move(*own));
-    for (const OtherChannelState& channel : place->beside) {
+    for (const OtherChannelState& channel : place->other_channels) {
       auto other = sheet_of_channel(channel.channel, channel.restart, channel.in_block, of_others);
       if (!other) return Failed(other.error());
       sheets->push_back(std::move(*other));
@@ -65,13 +65,13 @@ tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const st
 
 /// Checks a path against the travel limits of the axes.
 ///   returns  the end position of the path, or an error sentence
-tl::expected<Axes, std::string> PanelMachine::end_of(const PanelPath& way) const {
-  const ChannelAxes& lane = *lanes_[way.channel];
+tl::expected<Axes, std::string> PanelMachine::end_of(const PanelPath& path) const {
+  const ChannelAxes& lane = *lanes_[path.channel];
   Axes at = lane.clock.sample().machine;
-  for (const WayPoint& point : way.way) {
+  for (const WayPoint& point : path.points) {
     for (std::size_t a = 0; a < lane.axes.size() && a < max_axes; ++a) {
       if ((point.named >> a & 1U) == 0) continue;
-      const auto [least, most] = limits_of(session_->machine(), session_->channels()[way.channel].setup, lane.axes[a]);
+      const auto [least, most] = limits_of(session_->machine(), session_->channels()[path.channel].setup, lane.axes[a]);
       at[a] = point.machine[a];
       if (!(at[a] >= least && at[a] <= most)) return Failed(translated(texts::panel::beyond_end, lane.axes[a]));
     }
@@ -80,12 +80,12 @@ tl::expected<Axes, std::string> PanelMachine::end_of(const PanelPath& way) const
   return at;
 }
 
-PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelPath>& ways, const RestartPoint& place) const {
-  const auto lead_there = [&](std::size_t channel, const Axes& there) -> Answer {
-    const auto is_its = [&](const PanelPath& way) { return way.channel == channel; };
-    if (std::count_if(ways.begin(), ways.end(), is_its) > 1) return Failed(translated(texts::panel::one_way_wanted));
-    const auto way = std::find_if(ways.begin(), ways.end(), is_its);
-    const auto end = end_of(way == ways.end() ? PanelPath{channel, {}} : *way);
+PanelMachine::Answer PanelMachine::check_paths(const std::vector<PanelPath>& paths, const RestartPoint& place) const {
+  const auto check_path = [&](std::size_t channel, const Axes& there) -> Answer {
+    const auto is_its = [&](const PanelPath& path) { return path.channel == channel; };
+    if (std::count_if(paths.begin(), paths.end(), is_its) > 1) return Failed(translated(texts::panel::one_way_wanted));
+    const auto path = std::find_if(paths.begin(), paths.end(), is_its);
+    const auto end = end_of(path == paths.end() ? PanelPath{channel, {}} : *path);
     if (!end) return Failed(end.error());
     const ChannelAxes& lane = *lanes_[channel];
     for (std::size_t a = 0; a < lane.axes.size() && a < max_axes; ++a)
@@ -93,10 +93,10 @@ PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelPath>& ways, c
         return Failed(translated(texts::panel::way_ends_elsewhere, (is_alone() ? "" : fmt::format("{}: ", lane.number)) + lane.axes[a]));
     return {};
   };
-  Answer leads = lead_there(own_, place.restart.stand.machine);
-  for (const OtherChannelState& channel : place.beside)
-    if (leads) leads = lead_there(channel.channel, channel.restart.stand.machine);
-  return leads;
+  Answer checked = check_path(own_, place.restart.stand.machine);
+  for (const OtherChannelState& channel : place.other_channels)
+    if (checked) checked = check_path(channel.channel, channel.restart.stand.machine);
+  return checked;
 }
 
 /// Adds to `going` the lines that a channel must execute before and after the motion along the paths.
@@ -120,43 +120,43 @@ PanelMachine::Answer PanelMachine::prepare(PanelApproach& going, std::size_t cha
 }
 
 PanelMachine::Answer PanelMachine::go_there(std::shared_ptr<const RestartPoint> place, const std::set<std::string>& left,
-                                            std::vector<PanelPath> ways) {
-  return ask([this, place = std::move(place), left, ways = std::move(ways)]() -> Answer {
+                                            std::vector<PanelPath> paths) {
+  return ask([this, place = std::move(place), left, paths = std::move(paths)]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
-    if (const Answer fits = lead_to(ways, *place); !fits) return fits;
+    if (const Answer fits = check_paths(paths, *place); !fits) return fits;
     PanelApproach going;
     going.place = place;
     Answer ready = prepare(going, own_, place->restart, place->in_block, left);
-    for (const OtherChannelState& channel : place->beside)
+    for (const OtherChannelState& channel : place->other_channels)
       if (ready) ready = prepare(going, channel.channel, channel.restart, channel.in_block, left);
     if (!ready) return ready;
-    for (const PanelPath& way : ways)
-      if (!way.way.empty()) going.ways.push_back(way);
-    kept_.told.clear(), kept_.why.clear();
-    kept_.alarm.reset();
-    tell("restart", place->line.text, place->line.number);
+    for (const PanelPath& path : paths)
+      if (!path.points.empty()) going.paths.push_back(path);
+    panel_state_.message.clear(), panel_state_.why.clear();
+    panel_state_.alarm.reset();
+    notify("restart", place->line.text, place->line.number);
     going_ = std::move(going);
     return go_on_there();
   });
 }
 
-PanelMachine::Answer PanelMachine::lead(const std::vector<WayPoint>& way) {
-  return ask([this, way]() -> Answer {
+PanelMachine::Answer PanelMachine::move_along_path(const std::vector<WayPoint>& points) {
+  return ask([this, points]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
     const Control& control = session_->control();
     if (control.in_block() || control.meeting()) return Failed(translated(texts::panel::run_block_first));
-    const PanelPath own{own_, way};
+    const PanelPath own{own_, points};
     if (const auto end = end_of(own); !end) return Failed(end.error());
-    if (way.empty()) return Failed(translated(texts::panel::way_wanted));
+    if (points.empty()) return Failed(translated(texts::panel::way_wanted));
     match_paths(own);
     return {};
   });
 }
 
-void PanelMachine::match_paths(const PanelPath& way) {
+void PanelMachine::match_paths(const PanelPath& path) {
   std::vector<Motion> motions;
-  ToolPosition at = standing_plainly(way.channel);
-  for (const WayPoint& point : way.way) {
+  ToolPosition at = standing_plainly(path.channel);
+  for (const WayPoint& point : path.points) {
     Motion& motion = motions.emplace_back();
     motion.kind = point.rapid ? MotionKind::rapid : MotionKind::feed;
     motion.feed = point.feed;
@@ -169,7 +169,7 @@ void PanelMachine::match_paths(const PanelPath& way) {
     }
     motion.to = at.work, motion.machine = at.machine;
   }
-  begin_by_hand(*lanes_[way.channel], motions);
+  begin_by_hand(*lanes_[path.channel], motions);
 }
 
 /// Continues the move to the restart position with its next line or path. The machine calls it when the axes are at rest.
@@ -179,9 +179,9 @@ PanelMachine::Answer PanelMachine::go_on_there() {
     execute(going.before);
     return {};
   }
-  if (!going.ways.empty()) {
-    const PanelPath next = std::move(going.ways.front());
-    going.ways.pop_front();
+  if (!going.paths.empty()) {
+    const PanelPath next = std::move(going.paths.front());
+    going.paths.pop_front();
     match_paths(next);
     return {};
   }
@@ -197,8 +197,8 @@ PanelMachine::Answer PanelMachine::go_on_there() {
     return {};
   }
   going_.reset();
-  kept_.mode = PanelMode::standing;
-  kept_.why = "restart";
+  panel_state_.mode = PanelMode::standing;
+  panel_state_.why = "restart";
   return {};
 }
 
@@ -212,7 +212,7 @@ void PanelMachine::execute(std::deque<PanelApproach::Line>& lines) {
 /// position.
 PanelMachine::Answer PanelMachine::arrive(const RestartPoint& place) {
   lane_->clock.stand_at(place.restart.stand.machine);
-  for (const OtherChannelState& channel : place.beside) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
+  for (const OtherChannelState& channel : place.other_channels) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
   return resume_from(place);
 }
 
@@ -229,7 +229,7 @@ PanelMachine::Answer PanelMachine::resume_from(const RestartPoint& place) {
   lane_->on.origin = place.restart.at;
   lane_->on.work = place.restart.stand.work, lane_->on.machine = place.restart.stand.machine, lane_->on.placement = lane_->placement;
   lane_->on.modes = std::make_shared<PanelModes>(PanelModes{place.restart.in_force, place.calls});
-  for (const OtherChannelState& channel : place.beside) set_other_channel(channel);
+  for (const OtherChannelState& channel : place.other_channels) set_other_channel(channel);
   return {};
 }
 
@@ -252,7 +252,7 @@ void PanelMachine::set_other_channel(const OtherChannelState& channel) {
 /// True if each other channel has executed as many blocks as at the restart position, and if the axis positions of each waiting channel are
 /// the same as at the restart position.
 bool PanelMachine::stand_as_in(const RestartPoint& place) const {
-  for (const OtherChannelState& channel : place.beside) {
+  for (const OtherChannelState& channel : place.other_channels) {
     const ChannelAxes& lane = *lanes_[channel.channel];
     const Control& control = *session_->channels()[channel.channel].control;
     if (control.blocks() - lane.entered != channel.blocks || control.meeting().has_value() != channel.waits.has_value() || channel.in_block)

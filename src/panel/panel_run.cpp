@@ -28,13 +28,13 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   by_kind(
       step.action, [&](const FrameChange& frame) { lane.placement = frame.placement; },
       [&](const Message& message) {
-        kept_.told = message.text;
-        if (message.asks) kept_.asks = true, asks_ = &control, hold_next();
+        panel_state_.message = message.text;
+        if (message.asks) panel_state_.asks = true, asks_ = &control, hold_next();
       },
       [&](const Stop& stop) {
-        if (stop.optional && !kept_.optional_stop) return;
+        if (stop.optional && !panel_state_.optional_stop) return;
         hold_next();
-        kept_.why = stop.optional ? "M1" : "M0";
+        panel_state_.why = stop.optional ? "M1" : "M0";
       },
       ignores<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, SurfaceSpeed, Sync,
               ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
@@ -49,7 +49,7 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   pending.origin = origin;
   pending.work = motion->to, pending.machine = motion->machine;
   pending.placement = lane.placement;
-  pending.entered = stretch_ && stretch_->of == Stretch::Of::line;
+  pending.entered = running_ && running_->of == Run::Of::line;
   pending.by_turn = motion->unit == FeedUnit::mm_per_rev;
   pending.number = pending.entered || !is_own ? 0 : origin.number - std::uint32_t(entered_);
   pending.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
@@ -62,7 +62,7 @@ void PanelMachine::begin_leg(std::size_t channel) {
   Control& control = *session_->channels()[channel].control;
   // The new function replaces the function that used the planner of the previous leg.
   session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };
-  lane.plan(session_->plan(channel), kept_.shares.dry_feed);
+  lane.plan(session_->plan(channel), panel_state_.shares.dry_feed);
   session_->change_outlets();
 }
 
@@ -98,23 +98,23 @@ void PanelMachine::watch_channels() {
 
 /// Begins a run of motion.
 ///   channel  index of the channel of an entered line
-void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
-  Stretch& stretch = stretch_.emplace();
-  stretch.of = of, stretch.channel = channel;
+void PanelMachine::begin(Run::Of of, std::size_t channel) {
+  Run& run = running_.emplace();
+  run.of = of, run.channel = channel;
   has_moved_ = true;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    const bool moves = of == Stretch::Of::line ? i == channel : !lanes_[i]->has_ended;
+    const bool moves = of == Run::Of::line ? i == channel : !lanes_[i]->has_ended;
     if (moves && !lanes_[i]->waits()) begin_leg(i);
   }
   lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;
-  if (of == Stretch::Of::program) stepping_->begin(how_.value_or(kept_.single ? Stepping::How::block : Stepping::How::free));
+  if (of == Run::Of::program) stepping_->begin(how_.value_or(panel_state_.single ? Stepping::How::block : Stepping::How::free));
   play();
 }
 
 /// Starts the run of motion. The motion is computed in the next look_round(). The caller therefore gets an answer at once, even if the
 /// program calculates for a long time before the first motion.
 void PanelMachine::play() {
-  kept_.mode = PanelMode::running;
+  panel_state_.mode = PanelMode::running;
   apply_overrides();
 }
 
@@ -130,19 +130,19 @@ void PanelMachine::begin_line(const std::string& line, std::size_t channel) {
     lanes_[channel]->enters = true;
     session_->enter(line, channel);
   }
-  begin(Stretch::Of::line, channel);
+  begin(Run::Of::line, channel);
 }
 
 /// Completes a line of the operator. The channel is then held again before the block at which it was held before this line.
 void PanelMachine::end_line() {
-  const std::size_t channel = stretch_->channel;
+  const std::size_t channel = running_->channel;
   ChannelAxes& lane = *lanes_[channel];
   const Control& control = *session_->channels()[channel].control;
   if (channel == own_) {
-    stepping_->end_entering(stretch_->came_to);
+    stepping_->end_entering(running_->came_to);
     entered_ += control.blocks() - entering_from_;
   } else {
-    if (stretch_->came_to == Session::State::stopped) {
+    if (running_->came_to == Session::State::stopped) {
       session_->acknowledge(channel);
       session_->alone(channel);
       (void)session_->run();
@@ -154,11 +154,11 @@ void PanelMachine::end_line() {
   if (tables_before_) keep_tables(*std::exchange(tables_before_, std::nullopt));
 }
 
-PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::string& axis, double way, double feed) {
+PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::string& axis, double distance, double feed) {
   ChannelAxes& lane = *lanes_[channel];
   const auto found = std::find(lane.axes.begin(), lane.axes.end(), axis);
   if (found == lane.axes.end()) return Failed(translated(texts::panel::no_such_axis, axis));
-  if (!(std::fabs(way) <= farthest) || !(feed >= 0 && feed <= farthest) || way == 0)
+  if (!(std::fabs(distance) <= farthest) || !(feed >= 0 && feed <= farthest) || distance == 0)
     return Failed(translated(texts::panel::way_and_feed_wanted));
   const Channel& its = session_->channels()[channel];
   if (its.control->in_block() || its.control->meeting()) return Failed(translated(texts::panel::run_block_first));
@@ -171,7 +171,7 @@ PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::
   motion.named = AxisMask{1} << a;
   motion.exact = true;
   motion.to = stand.work, motion.machine = stand.machine;
-  motion.to[a] += way, motion.machine[a] += way;
+  motion.to[a] += distance, motion.machine[a] += distance;
   if (motion.machine[a] < least || motion.machine[a] > most) return Failed(translated(texts::panel::beyond_end, axis));
   begin_by_hand(lane, {motion});
   return {};
@@ -189,12 +189,12 @@ void PanelMachine::begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& m
       std::size_t(std::find_if(lanes_.begin(), lanes_.end(), [&](const auto& one) { return one.get() == &lane; }) - lanes_.begin());
   const Channel& channel = session_->channels()[number];
   const ToolPosition stand = standing_plainly(number);
-  Stretch& stretch = stretch_.emplace();
-  stretch.of = Stretch::Of::hand;
-  stretch.by_hand = std::make_unique<Planned>(channel, session_->machine(), stand);
-  stretch.planned_all = true;
+  Run& run = running_.emplace();
+  run.of = Run::Of::hand;
+  run.by_hand = std::make_unique<Planned>(channel, session_->machine(), stand);
+  run.planned_all = true;
   has_moved_ = true;
-  lane.plan(*stretch.by_hand, 0);
+  lane.plan(*run.by_hand, 0);
   TimeEstimate times(lane.roles, rates_of(session_->machine(), channel.setup, lane.axes));
   Steps steps(lane.roles, stand, &times);
   for (const Motion& motion : motions) {
@@ -204,7 +204,7 @@ void PanelMachine::begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& m
     action.what = motion;
     steps.give(action, [&](const Step& step) {
       if (looks_on_) looks_on_(step);
-      stretch.by_hand->consume(step);
+      run.by_hand->consume(step);
     });
   }
   lane.end_leg();
@@ -219,28 +219,28 @@ void PanelMachine::provide() {
   const auto must_go_on = [&] {
     return any(&ChannelAxes::wants_more) || !any(&ChannelAxes::is_planned);
   };  // If no leg is being planned, all channels wait or have ended, so the session must continue.
-  while (!stretch_->planned_all && must_go_on() && !any(&ChannelAxes::is_full)) go_on();
+  while (!running_->planned_all && must_go_on() && !any(&ChannelAxes::is_full)) go_on();
   for (const auto& lane : lanes_) lane->go_on();
 }
 
 void PanelMachine::go_on() {
-  stretch_->came_to = session_->go_on();
-  if (stretch_->came_to == Session::State::running) return;
+  running_->came_to = session_->go_on();
+  if (running_->came_to == Session::State::running) return;
   for (const auto& lane : lanes_) lane->end_leg();
-  stretch_->planned_all = true;
+  running_->planned_all = true;
 }
 
 bool PanelMachine::is_over() const {
-  return stretch_->planned_all && std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->is_over(); });
+  return running_->planned_all && std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->is_over(); });
 }
 
 /// Completes a run of motion. The axes have stopped at its end.
 void PanelMachine::end_run() {
   for (const auto& lane : lanes_) lane->settle();
-  const Stretch::Of of = stretch_->of;
-  const Session::State came_to = stretch_->came_to;
-  if (of == Stretch::Of::line) end_line();
-  stretch_.reset();
+  const Run::Of of = running_->of;
+  const Session::State came_to = running_->came_to;
+  if (of == Run::Of::line) end_line();
+  running_.reset();
   holds_ = false;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     ServoClock& clock = lanes_[i]->clock;
@@ -252,23 +252,23 @@ void PanelMachine::end_run() {
     };
     const Axes& aim = lanes_[i]->pending.machine;  // End position of a motion by hand. Only one channel moves in such a motion.
     const Control& control = *session_->channels()[i].control;
-    if (of == Stretch::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
+    if (of == Run::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
     // If the axes are at the session's position except for rounding errors of the planner, they get exactly the session's position.
     if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);
   }
-  if (of != Stretch::Of::hand) show_what_is_in_force();
-  if (of == Stretch::Of::program) goes_on_ = came_to == Session::State::held;
+  if (of != Run::Of::hand) show_what_is_in_force();
+  if (of == Run::Of::program) goes_on_ = came_to == Session::State::held;
   if (going_ && came_to != Session::State::stopped) {
-    if (const Answer there = go_on_there(); !there) kept_.told = there.error(), kept_.mode = PanelMode::standing;
+    if (const Answer there = go_on_there(); !there) panel_state_.message = there.error(), panel_state_.mode = PanelMode::standing;
     return;
   }
   going_.reset();
-  const bool stopped = came_to == Session::State::stopped && of == Stretch::Of::program;
-  if (stopped) kept_.mode = PanelMode::alarm;
-  else kept_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
-  if (of != Stretch::Of::program) return;
-  if (kept_.mode == PanelMode::ended) tell("ended");
-  else if (kept_.mode == PanelMode::standing) tell("stopped", kept_.why, stepping_->line().number);
+  const bool stopped = came_to == Session::State::stopped && of == Run::Of::program;
+  if (stopped) panel_state_.mode = PanelMode::alarm;
+  else panel_state_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
+  if (of != Run::Of::program) return;
+  if (panel_state_.mode == PanelMode::ended) notify("ended");
+  else if (panel_state_.mode == PanelMode::standing) notify("stopped", panel_state_.why, stepping_->line().number);
 }
 
 /// Updates the displayed modes, because blocks after the last motion may have changed the modes. The work offset is updated too, unless a
@@ -288,7 +288,7 @@ void PanelMachine::show_what_is_in_force() {
 /// Discards the run of motion. The axes stop at their current position.
 void PanelMachine::drop_run() {
   for (const auto& lane : lanes_) lane->drop();
-  stretch_.reset();
+  running_.reset();
   going_.reset();
   holds_ = resets_ = false;
 }

@@ -154,7 +154,7 @@ void PanelSearch::find_next(OtherChannelState& channel) {
 }
 
 /// Returns the state of the other channels at the moment at which the own channel has reached the restart position.
-std::vector<OtherChannelState> PanelSearch::beside() {
+std::vector<OtherChannelState> PanelSearch::other_channels() {
   Session& session = *run_.session;
   std::vector<OtherChannelState> all;
   session.hold_each(false);
@@ -197,11 +197,11 @@ void PanelSearch::run_each_channel(const SearchRequest& request) {
 
 PanelSearch::Answer PanelSearch::search(const SearchRequest& request) {
   if (request.blocks.empty()) return found(request);
-  Run kept = std::exchange(run_, {});
+  Run run_before = std::exchange(run_, {});
   run_each_channel(request);
   Answer answer = found(request);
   forget();
-  run_ = std::move(kept);
+  run_ = std::move(run_before);
   run_.is_there = true;
   return answer;
 }
@@ -234,7 +234,7 @@ PanelSearch::Answer PanelSearch::found(const SearchRequest& request) {
                      in_block,
                      request.by_control ? search_by_control(request.target) : std::nullopt,
                      {}};
-  place.beside = beside();
+  place.other_channels = other_channels();
   answer.place = std::make_shared<const RestartPoint>(std::move(place));
   return answer;
 }

@@ -40,11 +40,11 @@ struct RestartPoint {
   Restart restart;
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
-  Placement placement;                    // position of the work coordinate system
-  Stepping::Memory memory;                // snapshot of the run when its control has reached this position
-  bool in_block = false;                  // true if the position is over a drilled hole of a canned cycle
-  std::optional<BlockSearch> by_control;  // Result of the control's own block search; nullopt if the control has no block search.
-  std::vector<OtherChannelState> beside;  // states of the other channels when the control has reached this position
+  Placement placement;                            // position of the work coordinate system
+  Stepping::Memory memory;                        // snapshot of the run when its control has reached this position
+  bool in_block = false;                          // true if the position is over a drilled hole of a canned cycle
+  std::optional<BlockSearch> by_control;          // Result of the control's own block search; nullopt if the control has no block search.
+  std::vector<OtherChannelState> other_channels;  // states of the other channels when the control has reached this position
 };
 
 class PanelSearch {
@@ -94,7 +94,7 @@ class PanelSearch {
   void run_each_channel(const SearchRequest& request);
   Answer found(const SearchRequest& request);
   std::optional<Restart> reach(const SearchRequest& request);
-  std::vector<OtherChannelState> beside();
+  std::vector<OtherChannelState> other_channels();
   void find_next(OtherChannelState& channel);
   std::optional<BlockSearch> search_by_control(const StopPoint& target);
   std::unique_ptr<Session> open();

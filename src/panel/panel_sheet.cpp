@@ -36,7 +36,7 @@ bool is_done_by_machine(const InForce& one, const ControlDef& def) {
 }
 
 PanelSheet::By by_what(const InForce& one, const ControlDef& def) {
-  if (one.kind == Kind::position || one.kind == Kind::machine) return PanelSheet::By::way;
+  if (one.kind == Kind::position || one.kind == Kind::machine) return PanelSheet::By::path;
   return is_done_by_machine(one, def) ? PanelSheet::By::line : PanelSheet::By::memory;
 }
 
@@ -50,7 +50,7 @@ Result<std::vector<std::string>> lines_of(const std::vector<InForce>& things, co
 /// True if the operator may keep the present value of the item. This is allowed if a line can set the value after the restart, and if the
 /// item affects neither how the tool moves nor the location of the tool's path.
 bool may_be_left(const PanelSheet::Row& row, const ControlDef& def) {
-  if (!row.wanted || !row.now) return false;
+  if (!row.required || !row.now) return false;
   switch (row.now->kind) {
     case Kind::tool:
     case Kind::speed:
@@ -72,11 +72,11 @@ std::string key_of(const InForce& one) { return std::string(kinds[std::size_t(on
 Result<PanelSheet> sheet_of(const Restart& restart, bool in_block, const ToolPosition& stand, const std::vector<InForce>& now,
                             const WayRules& rules, const Control& control, const ControlDef& def) {
   PanelSheet sheet;
-  const std::vector<InForce>& wanted = restart.in_force;
-  std::vector<Difference> all = differences(wanted, now);
+  const std::vector<InForce>& required = restart.in_force;
+  std::vector<Difference> all = differences(required, now);
   std::vector<InForce> to_set;
-  for (const InForce& one : wanted) {
-    const auto differs = std::find_if(all.begin(), all.end(), [&](const Difference& d) { return d.wanted == one; });
+  for (const InForce& one : required) {
+    const auto differs = std::find_if(all.begin(), all.end(), [&](const Difference& d) { return d.required == one; });
     PanelSheet::Row& row = sheet.rows.emplace_back(PanelSheet::Row{one, one});
     if (differs == all.end()) continue;
     to_set.push_back(one);
@@ -85,24 +85,24 @@ Result<PanelSheet> sheet_of(const Restart& restart, bool in_block, const ToolPos
     row.may_be_left = !in_block && may_be_left(row, def);
   }
   for (Difference& d : all)
-    if (!d.wanted) sheet.rows.push_back({std::nullopt, std::move(d.now), PanelSheet::By::memory});
-  sheet.way = way_there(stand, restart, rules, control.axes().size());
-  auto blocks = restart_blocks(def, to_set, wanted, in_work_coordinates(sheet.way, restart, def));
+    if (!d.required) sheet.rows.push_back({std::nullopt, std::move(d.now), PanelSheet::By::memory});
+  sheet.path = path_there(stand, restart, rules, control.axes().size());
+  auto blocks = restart_blocks(def, to_set, required, in_work_coordinates(sheet.path, restart, def));
   if (!blocks) return fail(blocks.error());
   sheet.blocks = std::move(*blocks);
   return sheet;
 }
 
 Result<std::vector<std::string>> lines_before(const PanelSheet& sheet, const std::set<std::string>& left, const ControlDef& def) {
-  const auto is_left = [&](const PanelSheet::Row& row) { return row.may_be_left && left.contains(key_of(*row.wanted)); };
+  const auto is_left = [&](const PanelSheet::Row& row) { return row.may_be_left && left.contains(key_of(*row.required)); };
   const bool changes_tool = std::any_of(sheet.rows.begin(), sheet.rows.end(), [&](const PanelSheet::Row& row) {
-    return row.by == PanelSheet::By::line && row.wanted->kind == Kind::tool && !is_left(row);
+    return row.by == PanelSheet::By::line && row.required->kind == Kind::tool && !is_left(row);
   });
   std::vector<InForce> things;
   for (const PanelSheet::Row& row : sheet.rows) {
     // A tool change may stop the spindle or the coolant, so these must start again.
-    const bool again = changes_tool && row.wanted && is_done_by_machine(*row.wanted, def);
-    if ((row.by == PanelSheet::By::line || again) && !is_left(row)) things.push_back(*row.wanted);
+    const bool again = changes_tool && row.required && is_done_by_machine(*row.required, def);
+    if ((row.by == PanelSheet::By::line || again) && !is_left(row)) things.push_back(*row.required);
   }
   return lines_of(things, def);
 }
@@ -110,7 +110,7 @@ Result<std::vector<std::string>> lines_before(const PanelSheet& sheet, const std
 Result<std::vector<std::string>> lines_after(const PanelSheet& sheet, const std::set<std::string>& left, const ControlDef& def) {
   std::vector<InForce> things;
   for (const PanelSheet::Row& row : sheet.rows)
-    if (row.may_be_left && left.contains(key_of(*row.wanted))) things.push_back(*row.now);
+    if (row.may_be_left && left.contains(key_of(*row.required))) things.push_back(*row.now);
   return lines_of(things, def);
 }
 

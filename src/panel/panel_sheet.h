@@ -14,17 +14,17 @@ struct PanelSheet {
   /// How an item on the sheet gets its required value.
   enum class By : std::uint8_t {
     nothing,  // the item already has the required value
-    way,      // the axes move to the required position
+    path,     // the axes move to the required position
     line,     // a line sets the value before the axes move: tool, spindle, coolant
     memory,   // the value is set when the control's memory is restored, as if the program had been executed
   };
   struct Row {
-    std::optional<InForce> wanted, now;
+    std::optional<InForce> required, now;
     By by = By::nothing;
     bool may_be_left = false;  // true if the operator may choose to keep the present value
   };
   std::vector<Row> rows;
-  std::vector<WayPoint> way;
+  std::vector<WayPoint> path;
   RestartBlocks blocks;  // The blocks that set everything that is required, for use on another machine with the same control.
 };
 

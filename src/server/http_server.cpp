@@ -21,7 +21,7 @@ using tcp = asio::ip::tcp;
 using Response = http::response<http::string_body>;
 
 constexpr std::uint32_t max_header = 16 << 10, most_body = 1 << 10;  // greatest size in bytes of the header and of the body of a request
-constexpr auto until_asked = std::chrono::seconds(10), until_taken = std::chrono::seconds(60);
+constexpr auto request_timeout = std::chrono::seconds(10), until_taken = std::chrono::seconds(60);
 constexpr int max_requests = 512;  // greatest number of open connections without a session; the server closes further connections
 
 constexpr const char* policy =
@@ -105,7 +105,7 @@ class Request : public std::enable_shared_from_this<Request> {
     parser_.emplace();
     parser_->header_limit(max_header);
     parser_->body_limit(most_body);
-    stream_.expires_after(until_asked);
+    stream_.expires_after(request_timeout);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (!error) self->take(self->parser_->release());
     });

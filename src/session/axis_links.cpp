@@ -29,11 +29,11 @@ bool AxisLinks::may_link(const LinkedAxis& link) const {
   const Place own{link.channel, link.far.axis}, other{link.to_channel, link.to_axis};
   const Control& its = *channels_[link.to_channel].control;
   if (link.far.link == AxisLink::follows) return !follows(other, own) && !its.rolls_over(link.to_axis);
-  const bool leads = std::any_of(links_.begin(), links_.end(), [&](const LinkedAxis& l) {
+  const bool is_master = std::any_of(links_.begin(), links_.end(), [&](const LinkedAxis& l) {
     const Place master{l.to_channel, l.to_axis};
     return master == own || master == other;
   });
-  return !leads && channels_[link.channel].control->may_exchange(link.far.axis) && its.may_exchange(link.to_axis);
+  return !is_master && channels_[link.channel].control->may_exchange(link.far.axis) && its.may_exchange(link.to_axis);
 }
 
 /// Returns the machine position of the link's master axis, mm or degrees: while the master is parked, its programmed position (nct 20.2);
@@ -44,13 +44,13 @@ double AxisLinks::master_at(const LinkedAxis& link) const {
   return (parked ? control.tool_position() : runs_[link.to_channel]->position()).machine[link.to_axis];
 }
 
-double AxisLinks::lead_of(const LinkedAxis& link) const {
+double AxisLinks::offset_of(const LinkedAxis& link) const {
   return runs_[link.channel]->position().machine[link.far.axis] - link.far.sign * master_at(link);
 }
 
 void AxisLinks::begin(LinkedAxis link) {
   if (link.far.link == AxisLink::follows) {
-    link.lead = lead_of(link);
+    link.offset = offset_of(link);
     runs_[link.channel]->hang(link.far.axis, true);
   } else {
     runs_[link.channel]->exchange(link.far.axis, *runs_[link.to_channel], link.to_axis, true);
@@ -65,13 +65,13 @@ void AxisLinks::end(const LinkedAxis& link) {
 
 void AxisLinks::relink(std::size_t channel) {
   Control& control = *channels_[channel].control;
-  const std::vector<CrossChannelAxis> wanted = control.cross_channel_axes();
+  const std::vector<CrossChannelAxis> far_axes = control.cross_channel_axes();
   std::erase_if(links_, [&](const LinkedAxis& link) {
-    if (link.channel != channel || std::find(wanted.begin(), wanted.end(), link.far) != wanted.end()) return false;
+    if (link.channel != channel || std::find(far_axes.begin(), far_axes.end(), link.far) != far_axes.end()) return false;
     end(link);
     return true;
   });
-  for (const CrossChannelAxis& far : wanted) {
+  for (const CrossChannelAxis& far : far_axes) {
     const bool known =
         std::any_of(links_.begin(), links_.end(), [&](const LinkedAxis& link) { return link.channel == channel && link.far == far; });
     if (known) continue;
@@ -87,12 +87,12 @@ Status AxisLinks::carry(std::size_t moved) {
     if (link.to_channel != moved || link.far.link != AxisLink::follows) continue;
     // INFERRED: an axis that is no longer parked follows from its present position. Therefore the offset is computed again here.
     if (channels_[link.channel].control->is_parked(link.far.axis)) {
-      link.lead = lead_of(link);
+      link.offset = offset_of(link);
       continue;
     }
-    const double to = link.lead + link.far.sign * master_at(link);
+    const double to = link.offset + link.far.sign * master_at(link);
     if (to == runs_[link.channel]->position().machine[link.far.axis]) continue;
-    KADR_TRY(runs_[link.channel]->lead(link.far.axis, to));
+    KADR_TRY(runs_[link.channel]->move_linked_axis(link.far.axis, to));
     KADR_TRY(carry(link.channel));
   }
   return {};

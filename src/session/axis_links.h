@@ -25,7 +25,7 @@ struct LinkedAxis {
   std::size_t channel = 0;  // index of the channel whose axis follows or is exchanged
   CrossChannelAxis far;
   std::size_t to_channel = 0, to_axis = 0;  // indices of the other axis of the link (the master, or the exchanged axis) and of its channel
-  double lead = 0;  // offset of a following axis, mm or degrees: its machine position = lead + sign · machine position of the master
+  double offset = 0;  // offset of a following axis, mm or degrees: its machine position = lead + sign · machine position of the master
 };
 
 class AxisLinks {
@@ -54,7 +54,7 @@ class AxisLinks {
   void begin(LinkedAxis link);
   void end(const LinkedAxis& link);
   double master_at(const LinkedAxis& link) const;
-  double lead_of(const LinkedAxis& link) const;
+  double offset_of(const LinkedAxis& link) const;
 
   const std::vector<Channel>& channels_;
   const std::vector<std::unique_ptr<ChannelRun>>& runs_;

@@ -15,7 +15,7 @@ namespace {
 constexpr unsigned shown_each = 64;  // number of batches between two updates of the progress display
 
 /// Converts the control's state after a batch to what follows the batch, as the corner calculation of room `path` expects it.
-CornerResolver::Follows behind(Control::State state) {
+CornerResolver::Follows follows_in(Control::State state) {
   switch (state) {
     case Control::State::running:
     case Control::State::held: return CornerResolver::Follows::more;
@@ -79,7 +79,7 @@ ChannelRun::~ChannelRun() {
 /// Stores the machine's position in `stopped_` while cutter compensation is active. The tool is then next to the programmed point, which is
 /// all that the control knows.
 void ChannelRun::note_position() {
-  if (beside_contour()) stopped_.machine_stood = machine_.position();
+  if (off_contour()) stopped_.machine_stood = machine_.position();
 }
 
 ChannelRun::State ChannelRun::stop(const AlarmReport& report) {
@@ -146,7 +146,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
   // true: the control is in advance, so it may be accessed only through settled()
   const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();
   // room path: computes corners that the program does not state, and the arcs that replace corners
-  const auto corner_fault = corners_.take(batch_, behind(state));
+  const auto corner_fault = corners_.take(batch_, follows_in(state));
   if (outlets_.programmed && !outlets_.silent)
     for (const Action& action : batch_) outlets_.programmed(action);
   const auto fault = compensate(state, corner_fault.has_value());  // room path: applies cutter radius compensation
@@ -188,7 +188,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
     return State::ended;
   }
   if (outlets_.writable && !outlets_.writable()) return State::stopped;
-  if (outlets_.stop.asked()) {
+  if (outlets_.stop.requested()) {
     const AlarmReport report = settled().report_for(alarm(AlarmId::interrupted, {}), batch_.empty() ? Origin() : batch_.back().origin);
     (void)outlets_.alarm(report);
     return stop(report);
@@ -224,9 +224,9 @@ void ChannelRun::refuse(const Alarm& alarm) {
   (void)stop(report);
 }
 
-Status ChannelRun::lead(std::size_t axis, double machine) {
+Status ChannelRun::move_linked_axis(std::size_t axis, double machine) {
   const ToolPosition before = control_.tool_position();
-  control_.lead_axis(axis, machine);
+  control_.move_linked_axis(axis, machine);
   const ToolPosition now = control_.tool_position();
   AxisMask moved = 0;
   for (std::size_t i = 0; i < control_.axes().size(); ++i)
@@ -322,10 +322,10 @@ void ChannelRun::wait_until(double at) {
 /// start.
 ///   from  tool position before the batch
 void ChannelRun::deliver(ToolPosition from) {
-  const auto leads = [](const auto& space) { return space && space->controls_tip(); };
-  const bool led = leads(from.space) || std::any_of(batch_.begin(), batch_.end(), [&](const Action& action) {
+  const auto controls = [](const auto& space) { return space && space->controls_tip(); };
+  const bool led = controls(from.space) || std::any_of(batch_.begin(), batch_.end(), [&](const Action& action) {
                      const auto* const frame = std::get_if<FrameChange>(&action.what);
-                     return frame != nullptr && leads(frame->placement.space);
+                     return frame != nullptr && controls(frame->placement.space);
                    });
   const auto watched = [this](const Action& action) {
     return (!now_.too_fast_reported && is_suspect(action)) || now_.gear.concerns(action);
@@ -366,7 +366,7 @@ bool ChannelRun::is_suspect(const Action& action) const {
 void ChannelRun::watch_singularity(const Step& step) {
   const auto whirl = now_.whirls.look(step);
   if (whirl)
-    warn(settled().report_for(warning(AlarmId::axis_whirls, {}, control_.axes()[whirl->axis], whirl->degrees, whirl->way),
+    warn(settled().report_for(warning(AlarmId::axis_whirls, {}, control_.axes()[whirl->axis], whirl->degrees, whirl->tip_travel),
                               step.action.origin));
 }
 
@@ -383,8 +383,8 @@ void ChannelRun::watch_feed(const Step& step) {
   const Motion& motion = *step.motion();
   const SlowestAxis slowest = slowest_axis(step.roles, step.curve(), motion, rates_.most);
   if (!(slowest.minutes > step.curve().length(motion.along) / motion.feed * (1 + rounding))) return;
-  const Alarm told = warning(AlarmId::feed_above_rapid, {}, motion.feed, control_.axes()[slowest.axis], rates_.most[slowest.axis]);
-  warn(settled().report_for(told, step.action.origin));
+  const Alarm reported = warning(AlarmId::feed_above_rapid, {}, motion.feed, control_.axes()[slowest.axis], rates_.most[slowest.axis]);
+  warn(settled().report_for(reported, step.action.origin));
   now_.too_fast_reported = true;
 }
 

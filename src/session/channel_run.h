@@ -129,7 +129,7 @@ class ChannelRun {
   void hang(std::size_t axis, bool on) { machine_.hang(axis, on); }
   /// Moves a linked axis to the position `machine`, in machine coordinates, mm or degrees.
   ///   alarms  as VirtualMachine::follow()
-  Status lead(std::size_t axis, double machine);
+  Status move_linked_axis(std::size_t axis, double machine);
   /// Exchanges an axis with an axis of another channel, so that the program of each channel moves the axis of the other channel. If `on` is
   /// false, the exchange ends.
   void exchange(std::size_t axis, ChannelRun& with, std::size_t other, bool on);
@@ -174,7 +174,7 @@ class ChannelRun {
  private:
   Control::State next_batch();
   std::optional<CompensationFault> compensate(Control::State state, bool corner_failed);
-  bool beside_contour() const { return queued_ ? queued_->beside() : compensation_.beside(); }
+  bool off_contour() const { return queued_ ? queued_->off_contour() : compensation_.off_contour(); }
   State take(Control::State state);
   void deliver(ToolPosition from);
   void give(Steps& steps, const Action& action);

@@ -16,13 +16,13 @@ Checkpoints::~Checkpoints() { session_.control().note_lines(nullptr, 0); }
 Session::State Checkpoints::run() {
   session_.control().note_lines(&marks_, each_);
   Session::State state = Session::State::running;
-  std::uint64_t block = 0, kept_at = 0;
+  std::uint64_t block = 0, saved_at = 0;
   keep();
   while (state == Session::State::running) {
     state = session_.go_on();
     block = session_.blocks();
-    if (block - kept_at < each_ || state != Session::State::running) continue;
-    kept_at = block;
+    if (block - saved_at < each_ || state != Session::State::running) continue;
+    saved_at = block;
     keep();
   }
   if (!all_.empty()) all_.back().marks = marks_;

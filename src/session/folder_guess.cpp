@@ -91,7 +91,7 @@ std::optional<std::string> beginning_of_program(const std::string& file, const G
   return sample_of(open_text(file, encoding, door), whole_sample);
 }
 
-FolderGuess::FolderGuess(GuessAccess ways, const std::vector<std::string>& files) : ways_(std::move(ways)) {
+FolderGuess::FolderGuess(GuessAccess access, const std::vector<std::string>& files) : access_(std::move(access)) {
   std::map<std::string, std::vector<std::string>> of_folder;
   for (const std::string& file : files) {
     if (!named(file).empty()) continue;
@@ -109,12 +109,12 @@ FolderGuess::FolderGuess(GuessAccess ways, const std::vector<std::string>& files
 }
 
 void FolderGuess::take(const std::string& file, std::size_t max_bytes) {
-  const bool edited = ways_.text && max_bytes == whole_sample;
-  const auto text =
-      sample_of(edited ? OpenedText{text_source(*ways_.text), Encoding::utf8} : open_text(file, ways_.encoding, ways_.door), max_bytes);
+  const bool edited = access_.text && max_bytes == whole_sample;
+  const auto text = sample_of(
+      edited ? OpenedText{text_source(*access_.text), Encoding::utf8} : open_text(file, access_.encoding, access_.door), max_bytes);
   if (!text) return;
   const std::string folder = folder_of(file);
-  if (!rows_.contains(folder)) rows_[folder] = own_rows(folder, ways_.door);
+  if (!rows_.contains(folder)) rows_[folder] = own_rows(folder, access_.door);
   Guess& guess = guesses_[file] = guess_control(*text, called(file), rows_[folder]);
   if (max_bytes == whole_sample) try_guess(guess, *text);
 }

@@ -32,7 +32,7 @@ std::optional<std::string> beginning_of_program(const std::string& file, const G
 /// too.
 class FolderGuess {
  public:
-  FolderGuess(GuessAccess ways, const std::vector<std::string>& files);
+  FolderGuess(GuessAccess access, const std::vector<std::string>& files);
 
   struct Neighbours {
     CommonGuess common;
@@ -53,9 +53,9 @@ class FolderGuess {
   void take_neighbours(const std::string& folder, const std::vector<std::string>& of);
   void take_folder(const std::string& folder, const std::vector<std::string>& files);
   std::optional<Neighbours> neighbours_of(const std::string& file) const;
-  std::string named(const std::string& file) const { return ways_.named ? ways_.named(file) : std::string(); }
+  std::string named(const std::string& file) const { return access_.named ? access_.named(file) : std::string(); }
 
-  GuessAccess ways_;
+  GuessAccess access_;
   std::map<std::string, std::vector<GuessRows>> rows_;  // by folder: evidence that the control files in the folder define
   std::map<std::string, Guess> guesses_;                // by file: the guess for each readable file for which the user has named no control
   std::map<std::string, Neighbours> folders_;

@@ -79,11 +79,12 @@ void give_kinematics(Setup& setup, const FiveAxis& five) {
 }  // namespace
 
 void give_machine(Setup& setup, const MachineProfile& profile, const ControlDef& control) {
-  const bool tells = profile.chains.given() && control.machine_axes() && has_kinematics_parameters(control) && !has_kinematics(setup);
-  if (tells && setup.axes.empty() && setup.channels.empty()) setup.axes = axes_of(profile);
+  const bool gives_kinematics =
+      profile.chains.given() && control.machine_axes() && has_kinematics_parameters(control) && !has_kinematics(setup);
+  if (gives_kinematics && setup.axes.empty() && setup.channels.empty()) setup.axes = axes_of(profile);
   const std::vector<std::string>& axes = setup.axes.empty() ? control.axes : setup.axes;
   for (const std::string& axis : axes) setup.axis_limits[axis] = limits_of(profile, setup, axis);
-  if (!tells) return;
+  if (!gives_kinematics) return;
   const auto five = MachineTree(profile, axes).five_axis();
   if (five && five->first.axis >= 0 && five->second.axis >= 0) give_kinematics(setup, *five);
   for (const std::string& axis : axes) {

@@ -44,7 +44,7 @@ void Planned::resume_from(const Memory& memory) {
 
 void Planned::colour(Plot& plot) {
   coloured_ = &plot;
-  motion_.on_motion = [&plot](std::uint64_t number, double way) { plot.shaded().set_motion(number, way); };
+  motion_.on_motion = [&plot](std::uint64_t number, double length) { plot.shaded().set_motion(number, length); };
 }
 
 void Planned::see(const TimedCells& cells) {
@@ -90,7 +90,7 @@ std::vector<AlarmReport> Planned::reports(const Control& control) const {
   }
   if (motion_.ended() == PlanEnd::too_slow) {
     const AxisMotion::Refused refused = motion_.refused();
-    reports.push_back(report(control, alarm(AlarmId::plan_endless, {}, refused.way, Planner::most_of_standing), refused.at));
+    reports.push_back(report(control, alarm(AlarmId::plan_endless, {}, refused.length, Planner::most_of_standing), refused.at));
   }
   if (writer_ && writer_->ended() == SampleEnd::max_time)
     reports.push_back(report(control, alarm(AlarmId::samples_too_long, {}, max_time_), Spent::of(writer_->tag())));
@@ -106,8 +106,8 @@ std::string Planned::why(const Control& control, Lang lang) const {
     lines[place.file].insert(place.line);
     rows.push_back({place, place.file == 0 ? "" : std::filesystem::path(control.file_name(place.file)).filename().string(), ""});
   }
-  for (const auto& [file, wanted] : lines)
-    for (const auto& [line, text] : control.texts_of(wanted, file))
+  for (const auto& [file, needed_lines] : lines)
+    for (const auto& [line, text] : control.texts_of(needed_lines, file))
       for (LostTimeRow& row : rows)
         if (row.place.file == file && row.place.line == line) row.block = text;
   return lost_time_text(rows, lost_time_->all(), axes_, lang);

@@ -18,7 +18,7 @@ bool same_value(const InForce& a, const InForce& b) {
 }
 
 /// True if two positions differ in any of the first `axes` axes except `normal`, the axis normal to the plane.
-bool is_beside(const Axes& a, const Axes& b, std::size_t axes, std::size_t normal) {
+bool is_at_other_place(const Axes& a, const Axes& b, std::size_t axes, std::size_t normal) {
   for (std::size_t i = 0; i < axes; ++i)
     if (i != normal && std::fabs(a[i] - b[i]) > tol::same_point) return true;
   return false;
@@ -43,14 +43,14 @@ bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Re
   Session::State state = stepping.begin_block();
   while (state == Session::State::running && control.in_block()) {
     const Axes now = control.tool_position().work;
-    const bool moved_down = !is_beside(now, last, axes, normal) && std::fabs(now[normal] - last[normal]) > tol::same_point;
+    const bool moved_down = !is_at_other_place(now, last, axes, normal) && std::fabs(now[normal] - last[normal]) > tol::same_point;
     // A cycle may begin with a motion up to the R level. The position of that motion is not counted as a hole.
     const bool rises = moved_down && now[normal] > last[normal];
     if (!over && !rises) over = now, holes = 1;
-    else if (over && !is_beside(now, *over, axes, normal) && !std::exchange(went_down, true)) level = now[normal];
+    else if (over && !is_at_other_place(now, *over, axes, normal) && !std::exchange(went_down, true)) level = now[normal];
     // false at the bottom of a hole: a sideways motion there does not lead to another hole
     const bool is_out = now[normal] >= level - tol::same_point;
-    if (went_down && is_out && is_beside(now, *over, axes, normal)) over = now, ++holes, went_down = false;
+    if (went_down && is_out && is_at_other_place(now, *over, axes, normal)) over = now, ++holes, went_down = false;
     if (holes == hole) {
       restart.in_force = control.in_force();
       restart.stand = session.stand();
@@ -70,23 +70,23 @@ std::optional<Restart> restart_at(Session& session, Stepping& stepping, const St
   return restart;
 }
 
-std::vector<Difference> differences(const std::vector<InForce>& wanted, const std::vector<InForce>& now) {
+std::vector<Difference> differences(const std::vector<InForce>& required, const std::vector<InForce>& now) {
   std::vector<Difference> all;
   const auto found_in = [](const std::vector<InForce>& among, const InForce& one) {
     const auto found = std::find_if(among.begin(), among.end(), [&](const InForce& other) { return same_thing(one, other); });
     return found == among.end() ? std::optional<InForce>() : std::optional(*found);
   };
-  for (const InForce& one : wanted) {
+  for (const InForce& one : required) {
     const auto is = found_in(now, one);
     if (!is || !same_value(one, *is)) all.push_back({one, is});
   }
   for (const InForce& one : now)
-    if (!found_in(wanted, one)) all.push_back({std::nullopt, one});
+    if (!found_in(required, one)) all.push_back({std::nullopt, one});
   return all;
 }
 
-std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes) {
-  std::vector<WayPoint> way;
+std::vector<WayPoint> path_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes) {
+  std::vector<WayPoint> path;
   const std::size_t n = to.normal;
   const AxisMask normal = AxisMask{1} << n;
   const double offset = to.stand.machine[n] - to.stand.work[n];
@@ -99,9 +99,9 @@ std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, con
       if ((named >> a & 1U) != 0 && std::fabs(machine[a] - at[a]) > tol::same_point) moves |= AxisMask{1} << a;
     if (moves == 0) return;
     at = machine;
-    way.push_back({rapid, moves, machine, rapid ? 0 : rules.feed});
+    path.push_back({rapid, moves, machine, rapid ? 0 : rules.feed});
   };
-  const bool stands_there = !is_beside(at, to.stand.machine, axes, n);
+  const bool stands_there = !is_at_other_place(at, to.stand.machine, axes, n);
   Axes next = at;
   if (!stands_there) {
     next[n] = clear;
@@ -115,10 +115,10 @@ std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, con
   if (at[n] > near) go(next, normal, true);
   next[n] = end;
   go(next, normal, at[n] < end);  // an upward motion is a rapid, since it leads away from the material
-  return way;
+  return path;
 }
 
-std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def) {
+std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& path, const Restart& to, const ControlDef& def) {
   std::vector<BlockMove> blocks;
   const AxisMask normal = AxisMask{1} << to.normal;
   const auto add = [&](const WayPoint& point) {
@@ -127,10 +127,10 @@ std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& way, con
       if ((point.named >> a & 1U) != 0)
         block.to.emplace_back(def.axes[a].front(), point.machine[a] - (to.stand.machine[a] - to.stand.work[a]));
   };
-  for (const WayPoint& point : way) add(point);
+  for (const WayPoint& point : path) add(point);
   const bool none_along = std::none_of(blocks.begin(), blocks.end(), [](const BlockMove& block) { return block.along_tool; });
   // Adds a block without travel, which makes the tool length offset effective.
-  if (!way.empty() && none_along) add({true, normal, way.back().machine, 0});
+  if (!path.empty() && none_along) add({true, normal, path.back().machine, 0});
   return blocks;
 }
 

@@ -35,11 +35,11 @@ bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Re
 
 /// A mode, tool, offset or variable whose present value differs from the required value.
 struct Difference {
-  std::optional<InForce> wanted;  // required value; nullopt: the variable must not have a value, but has one
-  std::optional<InForce> now;     // present value; nullopt: the variable has no value
+  std::optional<InForce> required;  // required value; nullopt: the variable must not have a value, but has one
+  std::optional<InForce> now;       // present value; nullopt: the variable has no value
 };
-/// Returns all differences, first those of the items in `wanted`, in the same order. `now`: what is in force at the machine.
-std::vector<Difference> differences(const std::vector<InForce>& wanted, const std::vector<InForce>& now);
+/// Returns all differences, first those of the items in `required`, in the same order. `now`: what is in force at the machine.
+std::vector<Difference> differences(const std::vector<InForce>& required, const std::vector<InForce>& now);
 
 /// A straight motion of the path to the block. Its end is in machine coordinates, mm or degrees.
 struct WayPoint {
@@ -55,11 +55,11 @@ struct WayRules {
 };
 /// Computes the path to the block: up to the clearance, over the target, and down to the target. The last part of the descent is at feed.
 /// Motions of zero length are omitted.
-std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes);
+std::vector<WayPoint> path_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes);
 
 /// Converts the path to the work coordinates in force at the block, as restart_blocks() needs it. At least one of the blocks names the
 /// tool's axis, so that the tool length offset becomes effective.
 ///   pre  the coordinate system is not rotated (no G68), since words along the axes could not express the path in rotated coordinates
-std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def);
+std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& path, const Restart& to, const ControlDef& def);
 
 }  // namespace kadr

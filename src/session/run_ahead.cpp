@@ -7,18 +7,18 @@
 
 namespace kadr {
 
-RunAhead::RunAhead(Control& control) : control_(control), beside_(has_several_processors()) {}
+RunAhead::RunAhead(Control& control) : control_(control), parallel_(has_several_processors()) {}
 
 RunAhead::~RunAhead() {
   over_.store(true, std::memory_order_release);
-  give_way();
+  pass_on_news();
   thread_.wait();
 }
 
 /// Wakes the other thread, since the condition for which it waits may have become true. On a single processor the missing batches are
 /// created here.
-void RunAhead::give_way() {
-  if (beside_) {
+void RunAhead::pass_on_news() {
+  if (parallel_) {
     news_.fetch_add(1, std::memory_order_release);
     news_.notify_one();
   } else {
@@ -35,8 +35,8 @@ void RunAhead::start() {
   going_ = true;
   allowed_.store(taken_ + depth, std::memory_order_release);
   stands_.store(false, std::memory_order_release);
-  if (beside_ && !thread_.is_begun()) beside_ = thread_.begin([this] { work(); });
-  give_way();
+  if (parallel_ && !thread_.is_begun()) parallel_ = thread_.begin([this] { work(); });
+  pass_on_news();
 }
 
 void RunAhead::work() {
@@ -48,11 +48,11 @@ void RunAhead::work() {
 
 /// Creates the next batch, or waits while the other thread runs the control. Either thread may create a batch. So the thread that needs the
 /// batch does not wait until the operating system schedules the other thread.
-template <class Wanted>
-void RunAhead::make_or_wait(const Wanted& wanted) {
+template <class Condition>
+void RunAhead::make_or_wait(const Condition& condition) {
   if (in_hand_.exchange(1, std::memory_order_acquire) != 0)
     return wait_for(in_hand_, [this] { return in_hand_.load(std::memory_order_acquire) == 0; });
-  if (wanted()) make();
+  if (condition()) make();
   in_hand_.store(0, std::memory_order_release);
   in_hand_.notify_one();
 }
@@ -85,7 +85,7 @@ Control::State RunAhead::take(ActionBatch& actions, std::vector<AlarmReport>& wa
   ++taken_;
   if (going_) {
     allowed_.store(taken_ + depth, std::memory_order_release);
-    if (!beside_ || taken_ + depth >= made_.load(std::memory_order_acquire) + worth_waking) give_way();
+    if (!parallel_ || taken_ + depth >= made_.load(std::memory_order_acquire) + worth_waking) pass_on_news();
   }
   return state;
 }

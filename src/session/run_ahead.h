@@ -57,10 +57,10 @@ class RunAhead {
 
   void work();
   void make();
-  template <class Wanted>
-  void make_or_wait(const Wanted& wanted);
+  template <class Condition>
+  void make_or_wait(const Condition& condition);
   bool may_make() const;
-  void give_way();
+  void pass_on_news();
 
   Control& control_;
   std::array<Batch, depth> ring_;
@@ -68,7 +68,7 @@ class RunAhead {
   bool going_ = false;        // only for the caller's thread
   std::uint64_t taken_ = 0;   // number of batches that take() has returned; only for the caller's thread
   Thread thread_;             // started when the first batch is requested
-  bool beside_;               // true: a second processor is available for the thread
+  bool parallel_;             // true: a second processor is available for the thread
 
   std::atomic<std::uint64_t> allowed_ = 0;  // number of batches, counted from the start, up to which batches may be created
   std::atomic<std::uint64_t> made_ = 0;

@@ -129,7 +129,7 @@ Session::State Session::together(ChannelRun::State state) {
 /// the manual does not say how the axes move to the start of that block, so they are placed there without a motion.
 ///   returns  nullopt if the run continues; otherwise the state in which it stopped
 std::optional<Session::State> Session::begin_by_search() {
-  const auto asked = std::exchange(control().holds_before, nullptr);
+  const auto holds_before = std::exchange(control().holds_before, nullptr);
   const std::vector<InForce> at_first = control().in_force();
   std::optional<BlockSearch> found;
   {
@@ -138,7 +138,7 @@ std::optional<Session::State> Session::begin_by_search() {
     Stepping stepping(*this);
     found = search_block(*this, stepping, target);
   }
-  control().holds_before = asked;
+  control().holds_before = holds_before;
   if (!found) {
     if (state_ == State::stopped) return state_;
     alone_->refuse(alarm(AlarmId::search_not_reached, {}, std::string_view(spec_.setup.search)));

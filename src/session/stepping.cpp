@@ -49,7 +49,7 @@ std::string_view last_part(std::string_view path) {
 }  // namespace
 
 Stepping::Stepping(Session& session) : session_(session) {
-  session_.control().holds_before = [this](const Origin& origin) { return asked(origin); };
+  session_.control().holds_before = [this](const Origin& origin) { return must_hold(origin); };
 }
 
 Stepping::~Stepping() { session_.control().holds_before = nullptr; }
@@ -97,7 +97,7 @@ void Stepping::note_tool() {
 }
 
 /// Called by the control before each block. Returns true if the session is to be held before this block.
-bool Stepping::asked(const Origin& origin) {
+bool Stepping::must_hold(const Origin& origin) {
   if (std::exchange(again_, false)) return false;
   const Origin before = std::exchange(last_, origin);
   if (entered_) {
@@ -108,16 +108,16 @@ bool Stepping::asked(const Origin& origin) {
   // true: the block follows another block in the same line, as in `N1 … ПС N2 …`, so the line is not counted again
   const bool same_line = before.line == origin.line && before.file == origin.file && origin.column > before.column;
   const bool begins_call = origin.depth > before.depth;
-  const auto is_asked_for = [&](const StopPoint& p) { return p.line == origin.line; };
-  const bool counts = (target_ && is_asked_for(*target_)) ||
-                      std::any_of(points_.begin(), points_.end(), [&](const auto& p) { return is_asked_for(p.second); });
+  const auto is_on_line = [&](const StopPoint& p) { return p.line == origin.line; };
+  const bool counts =
+      (target_ && is_on_line(*target_)) || std::any_of(points_.begin(), points_.end(), [&](const auto& p) { return is_on_line(p.second); });
   if (counts && !same_line) ++seen_[{origin.file, origin.line}];
   hit_ = 0;
   note_tool();
-  if (on_asked) on_asked(origin);
+  if (on_block) on_block(origin);
   for (const auto& [number, point] : points_)
     if (!same_line && matches(point, origin, begins_call)) hit_ = number;
-  const bool must = std::exchange(hold_asked_, false);
+  const bool must = std::exchange(hold_requested_, false);
   const bool is_held = must || (target_ ? ends_at_target(origin, same_line, begins_call) : hit_ != 0 || asks_for(origin, same_line));
   if (past_ != 0 && origin.file == 0 && origin.line == past_ && !past_at_) past_at_ = origin.depth;
   if (is_held) next_ = origin;
@@ -131,7 +131,7 @@ void Stepping::set_out() {
   depth_ = next_ ? next_->depth : 0;
   next_.reset();
   hit_ = 0;
-  hold_asked_ = false;
+  hold_requested_ = false;
 }
 
 Session::State Stepping::run() {

@@ -64,10 +64,10 @@ class Stepping {
   void begin_entering(const std::string& line);
   void end_entering(Session::State came_to);
   /// Holds the session before the next block in any case. Call this function after begin().
-  void hold_next() { hold_asked_ = true; }
+  void hold_next() { hold_requested_ = true; }
 
   /// A function that is called before each block of the program, even if the session is not held there.
-  std::function<void(const Origin&)> on_asked;
+  std::function<void(const Origin&)> on_block;
 
   /// Location of the block that is executed next; nullopt if the session is not held.
   const std::optional<Origin>& next() const { return next_; }
@@ -112,7 +112,7 @@ class Stepping {
   std::uint32_t passes(std::uint32_t line, const std::string& file = {}) const;
 
  private:
-  bool asked(const Origin& origin);
+  bool must_hold(const Origin& origin);
   bool ends_at_target(const Origin& origin, bool same_line, bool begins_call);
   bool asks_for(const Origin& origin, bool same_line) const;
   bool matches(const StopPoint& point, const Origin& origin, bool begins_call) const;
@@ -132,7 +132,7 @@ class Stepping {
   std::uint64_t most_ = ~std::uint64_t{0};  // remaining number of blocks of go_to(), at first `max_blocks`
   bool ran_out_ = false;
   bool entered_ = false;  // true: a line that the operator has entered is being executed
-  bool hold_asked_ = false;
+  bool hold_requested_ = false;
   std::optional<Origin> stood_;  // next block of the program, stored while an entered line is executed
   std::size_t hit_ = 0;
   std::optional<Origin> next_;

@@ -31,8 +31,8 @@ bool comments_in_inches(const Control& control, const MotionUnits& moved) {
 ToolProposals::ToolProposals(const ProgramLines& lines, bool inch) {
   for (const auto& [number, text] : lines)
     for (const std::string& comment : comments_of(text)) {
-      const ToolComment said = read_tool_comment(comment, inch);
-      if (said.diameter || said.unsure) read_.push_back({said, number, comment});
+      const ToolComment tool_data = read_tool_comment(comment, inch);
+      if (tool_data.diameter || tool_data.unsure) read_.push_back({tool_data, number, comment});
     }
 }
 
@@ -40,28 +40,29 @@ template <class Fits>
 const ToolProposal* ToolProposals::first_in(std::uint32_t line, const Fits& fits) const {
   const auto from = std::lower_bound(read_.begin(), read_.end(), line, [](const ToolProposal& p, std::uint32_t n) { return p.line < n; });
   for (auto p = from; p != read_.end() && p->line == line; ++p)
-    if (fits(p->said)) return &*p;
+    if (fits(p->tool_data)) return &*p;
   return nullptr;
 }
 
 template <class Fits>
 std::optional<ToolProposal> ToolProposals::find(std::uint32_t tool, std::uint32_t called_at, const Fits& fits) const {
-  const auto named = std::find_if(read_.begin(), read_.end(), [&](const ToolProposal& p) { return p.said.tool == tool && fits(p.said); });
+  const auto named =
+      std::find_if(read_.begin(), read_.end(), [&](const ToolProposal& p) { return p.tool_data.tool == tool && fits(p.tool_data); });
   if (named != read_.end()) return *named;
   if (called_at == 0) return std::nullopt;
   for (const std::uint32_t line : {called_at, called_at - 1, called_at + 1})
-    if (const auto* const beside =
-            first_in(line, [&](const ToolComment& said) { return fits(said) && (!said.tool || *said.tool == tool); }))
-      return *beside;
+    if (const auto* const on_line =
+            first_in(line, [&](const ToolComment& tool_data) { return fits(tool_data) && (!tool_data.tool || *tool_data.tool == tool); }))
+      return *on_line;
   return std::nullopt;
 }
 
 std::optional<ToolProposal> ToolProposals::of(std::uint32_t tool, std::uint32_t called_at) const {
-  return find(tool, called_at, [](const ToolComment& said) { return said.diameter.has_value(); });
+  return find(tool, called_at, [](const ToolComment& tool_data) { return tool_data.diameter.has_value(); });
 }
 
 std::optional<ToolProposal> ToolProposals::unsure(std::uint32_t tool, std::uint32_t called_at) const {
-  return find(tool, called_at, [](const ToolComment& said) { return said.unsure; });
+  return find(tool, called_at, [](const ToolComment& tool_data) { return tool_data.unsure; });
 }
 
 }  // namespace kadr

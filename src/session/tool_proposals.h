@@ -26,7 +26,7 @@ ProgramLines lines_of(const Control& control);
 bool comments_in_inches(const Control& control, const MotionUnits& moved);
 
 struct ToolProposal {
-  ToolComment said;
+  ToolComment tool_data;
   std::uint32_t line = 0;  // line of the comment
   std::string text;
 };

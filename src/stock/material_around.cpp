@@ -41,13 +41,13 @@ std::optional<RadiusRange> material_around(const Stock& stock, double radius, do
   const Lattice& lattice = stock.lattice();
   const std::optional<int> row = nearest_line(lattice, -lattice.origin().y, 1), level = nearest_line(lattice, z - lattice.origin().z, 2);
   if (!row || !level) return std::nullopt;
-  const double beside = lattice.origin().y + (*row + 0.5) * lattice.cell();
+  const double row_y = lattice.origin().y + (*row + 0.5) * lattice.cell();
   std::vector<LineRange> pieces;
   for (int x = 0; x < lattice.bricks(0); ++x)
     add_pieces(stock, lattice.at({x, *row / brick_edge, *level / brick_edge}), *level % brick_edge * brick_edge + *row % brick_edge,
                pieces);
   std::sort(pieces.begin(), pieces.end(), [](const LineRange& a, const LineRange& b) { return a.from < b.from; });
-  const double at = std::sqrt(std::max(radius * radius - beside * beside, 0.0));
+  const double at = std::sqrt(std::max(radius * radius - row_y * row_y, 0.0));
   std::optional<LineRange> found;
   for (const LineRange& piece : pieces) {
     if (found && piece.from - found->to < one_piece) found->to = std::max(found->to, piece.to);
@@ -55,7 +55,7 @@ std::optional<RadiusRange> material_around(const Stock& stock, double radius, do
     else found = piece;
   }
   if (!found || found->from > at || found->to < at) return std::nullopt;
-  return RadiusRange{found->from > 0 ? std::hypot(found->from, beside) : 0.0, std::hypot(found->to, beside)};
+  return RadiusRange{found->from > 0 ? std::hypot(found->from, row_y) : 0.0, std::hypot(found->to, row_y)};
 }
 
 }  // namespace kadr

@@ -63,7 +63,7 @@ AroundTip around_tip(const ToolShape& tool) {
   AroundTip all{0, 0, 0};
   for (const ConvexBody& body : tool.bodies) {
     const AroundTip one = kadr::around_tip(body);
-    all = {std::max(all.beside, one.beside), std::max(all.below, one.below), std::max(all.above, one.above)};
+    all = {std::max(all.sideways, one.sideways), std::max(all.below, one.below), std::max(all.above, one.above)};
   }
   return all;
 }
@@ -139,16 +139,16 @@ std::uint16_t Stock::add_tool(const ToolShape& shape) {
 void Stock::add(const Sweep& sweep) {
   if (tools_[sweep.tool].turns()) return add_turned(sweep);
   if (!is_upright(sweep.from_direction) || !is_upright(sweep.to_direction)) return add_tilted(sweep);
-  const Vec3 start = sweep.from - lattice_.origin(), way = sweep.to - sweep.from;
+  const Vec3 start = sweep.from - lattice_.origin(), delta = sweep.to - sweep.from;
   const double edge = lattice_.edge();
   const Vec3 most{lattice_.bricks(0) * edge, lattice_.bricks(1) * edge, lattice_.bricks(2) * edge};
-  const PathPart part = part_that_reaches(start, way, around_tip(tools_[sweep.tool]), most);
-  const Vec3 from = start + part.first * way, to = part.last == 1 ? sweep.to - lattice_.origin() : start + part.last * way;
-  KeptSweep kept{};
-  for (int d = 0; d < 3; ++d) kept.from[d] = float(along(from, d)), kept.to[d] = float(along(to, d));
-  kept.tool = sweep.tool;
-  kept.watched = sweep.watched;
-  keep(kept, part);
+  const PathPart part = part_that_reaches(start, delta, around_tip(tools_[sweep.tool]), most);
+  const Vec3 from = start + part.first * delta, to = part.last == 1 ? sweep.to - lattice_.origin() : start + part.last * delta;
+  KeptSweep stored{};
+  for (int d = 0; d < 3; ++d) stored.from[d] = float(along(from, d)), stored.to[d] = float(along(to, d));
+  stored.tool = sweep.tool;
+  stored.watched = sweep.watched;
+  keep(stored, part);
 }
 
 /// Adds the sweeps `first` to `last` - 1 to the lists of the bricks that they may reach.
@@ -204,14 +204,14 @@ bool Stock::execute(std::int32_t number, std::size_t b, BrickNow now, Worker* wo
     const ConvexBody& body = tools_[s.tool].bodies[i];
     RemovedBox box;
     CutOutcome outcome;
-    const bool told = worker != nullptr && (s.watched || body.part != ToolPart::cutting);
-    if (told) outcome.watched = &box, outcome.least_piece = float(least_piece());
+    const bool is_watched = worker != nullptr && (s.watched || body.part != ToolPart::cutting);
+    if (is_watched) outcome.watched = &box, outcome.least_piece = float(least_piece());
     if (lean) cut_tilted(std::size_t(number), i, *lean, *now.brick, outcome);
     else cut_brick(*now.brick, scale_, local_sweep(from, to, around_tip(body), lattice_.edge()), swept_[s.tool][i], number, outcome);
     changed = changed || outcome.changed;
     if (worker != nullptr && outcome.changed)
       worker->count(number, outcome.length, outcome.longest, body.part == ToolPart::cutting ? outcome.depth : 0.f);
-    if (!told || !box.any()) continue;
+    if (!is_watched || !box.any()) continue;
     const Vec3 at = lattice_.corner(b);
     const Box3 around{at + Vec3{double(box.least[0]), double(box.least[1]), double(box.least[2])},
                       at + Vec3{double(box.most[0]), double(box.most[1]), double(box.most[2])}};
@@ -246,12 +246,12 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
   first_ = done_;
   removed_ = std::vector<Removed>(sweeps_.size() - first_);
   std::vector<Worker> workers(static_cast<std::size_t>(threads_), Worker{{}, &removed_, first_});
-  while (done_ < sweeps_.size() && !stop.asked()) {
+  while (done_ < sweeps_.size() && !stop.requested()) {
     const std::size_t last = past_ ? std::min(done_ + between_room, sweeps_.size()) : sweeps_.size();
     bin(done_, last);
     std::atomic<std::size_t> next{0};
     run_parallel(threads_, [&](int thread) {
-      for (std::size_t i; !stop.asked() && (i = next++) < touched_.size();) cut_in(touched_[i], workers[std::size_t(thread)]);
+      for (std::size_t i; !stop.requested() && (i = next++) < touched_.size();) cut_in(touched_[i], workers[std::size_t(thread)]);
     });
     for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // frees the memory of the lists at once
     touched_.clear();

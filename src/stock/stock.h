@@ -55,7 +55,7 @@ TiltedPath tilted_path_of(const KeptSweep& sweep, const TiltedEnds& ends);
 
 /// A sweep of a tilted tool, in the coordinates of one brick.
 struct TiltedSweepInBrick {
-  TiltedPath way;  // path of the sweep, relative to the brick's corner
+  TiltedPath path;  // path of the sweep, relative to the brick's corner
   AroundTip around;
   TiltedSweep sweep;
   LocalSweep tip;
@@ -157,7 +157,7 @@ class Stock {
   };
   Stock(const Stock& later, std::size_t count);
   void keep(const KeptSweep& sweep, PathPart part);
-  PathPart kept_part(std::size_t sweep) const;
+  PathPart stored_part(std::size_t sweep) const;
   void begin_sweep(const Stock& later, double share);
   std::unique_ptr<Brick> fresh(std::size_t i) const;
   void fill_in(std::size_t i);

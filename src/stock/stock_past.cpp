@@ -65,7 +65,7 @@ void Stock::keep(const KeptSweep& sweep, PathPart part) {
   sweeps_.push_back(sweep);
 }
 
-PathPart Stock::kept_part(std::size_t sweep) const {
+PathPart Stock::stored_part(std::size_t sweep) const {
   const auto found = std::partition_point(shortened_.begin(), shortened_.end(), [&](const Shortened& s) { return s.sweep < sweep; });
   if (found == shortened_.end() || found->sweep != sweep) return {};
   return {double(found->first), double(found->last)};
@@ -74,14 +74,14 @@ PathPart Stock::kept_part(std::size_t sweep) const {
 /// Executes the fraction `share` of the path of the next sweep, which is stored in the later stock.
 void Stock::begin_sweep(const Stock& later, double share) {
   const std::size_t next = sweeps_.size();
-  const PathPart kept = later.kept_part(next);
-  if (!(kept.last > kept.first) || !(share > kept.first)) return;
-  const double part = std::min((share - kept.first) / (kept.last - kept.first), 1.0);
+  const PathPart stored = later.stored_part(next);
+  if (!(stored.last > stored.first) || !(share > stored.first)) return;
+  const double part = std::min((share - stored.first) / (stored.last - stored.first), 1.0);
   KeptSweep sweep = later.sweeps_[next];
   if (sweep.leans) {
     TiltedEnds ends = later.tilted_ends(next);
-    const TiltedPath way = tilted_path_of(sweep, ends).between(0, part);
-    for (int d = 0; d < 3; ++d) ends.to[d] = float(along(way.to_direction, d));
+    const TiltedPath path = tilted_path_of(sweep, ends).between(0, part);
+    for (int d = 0; d < 3; ++d) ends.to[d] = float(along(path.to_direction, d));
     tilted_ends_.push_back(ends);
   }
   for (std::size_t d = 0; d < 3; ++d) sweep.to[d] = float(double(sweep.from[d]) + part * (double(sweep.to[d]) - double(sweep.from[d])));

@@ -25,8 +25,8 @@ struct BodyHeights {
 
   /// Returns the distance of a position, in the tool's coordinates, from the body, mm.
   double distance(Vec3 at) const {
-    const double beside = std::max(length(Vec2{at.x, at.y}) - radius, 0.0), beyond = std::max({low - at.z, at.z - high, 0.0});
-    return length(Vec2{beside, beyond});
+    const double aside = std::max(length(Vec2{at.x, at.y}) - radius, 0.0), beyond = std::max({low - at.z, at.z - high, 0.0});
+    return length(Vec2{aside, beyond});
   }
   /// Returns a lower bound, in mm, of the distance of a straight path from the body. Along the path, the distance is a convex function, so
   /// the search for its least value can halve the path. The bound may be too small by at most about `enough` mm.
@@ -45,11 +45,11 @@ struct BodyHeights {
 
 BodyHeights heights_of(const ConvexBody& body) { return {body.bottom(), body.top(), body.widest()}; }
 
-AroundTip around_all(const ToolShape& tool, const TiltedPath& way) {
+AroundTip around_all(const ToolShape& tool, const TiltedPath& path) {
   AroundTip all{0, 0, 0};
   for (const ConvexBody& body : tool.bodies) {
-    const AroundTip one = around_tilted_tip(way, body.bottom(), body.top(), body.widest());
-    all = {std::max(all.beside, one.beside), std::max(all.below, one.below), std::max(all.above, one.above)};
+    const AroundTip one = around_tilted_tip(path, body.bottom(), body.top(), body.widest());
+    all = {std::max(all.sideways, one.sideways), std::max(all.below, one.below), std::max(all.above, one.above)};
   }
   return all;
 }
@@ -68,22 +68,22 @@ float Stock::families_agree() const {
 /// divided for the same cell size store the same sweeps.
 void Stock::add_tilted(const Sweep& sweep) {
   const ToolShape& tool = tools_[sweep.tool];
-  const TiltedPath way{sweep.from - lattice_.origin(), sweep.to - lattice_.origin(), sweep.from_direction, sweep.to_direction};
+  const TiltedPath path{sweep.from - lattice_.origin(), sweep.to - lattice_.origin(), sweep.from_direction, sweep.to_direction};
   const double edge = lattice_.edge();
   const Vec3 most{lattice_.bricks(0) * edge, lattice_.bricks(1) * edge, lattice_.bricks(2) * edge};
-  const int count = parts_of(way, reach_of(tool), most_bend());
+  const int count = parts_of(path, reach_of(tool), most_bend());
   for (int i = 0; i < count; ++i) {
-    const TiltedPath all = way.between(double(i) / count, double(i + 1) / count);
+    const TiltedPath all = path.between(double(i) / count, double(i + 1) / count);
     const PathPart part = part_that_reaches(all.from, all.to - all.from, around_all(tool, all), most);
     const TiltedPath one = all.between(part.first, part.last);
-    KeptSweep kept{};
+    KeptSweep stored{};
     TiltedEnds ends{std::uint32_t(sweeps_.size()), {}, {}};
     for (int d = 0; d < 3; ++d) {
-      kept.from[d] = float(along(one.from, d)), kept.to[d] = float(along(one.to, d));
+      stored.from[d] = float(along(one.from, d)), stored.to[d] = float(along(one.to, d));
       ends.from[d] = float(along(one.from_direction, d)), ends.to[d] = float(along(one.to_direction, d));
     }
-    kept.tool = sweep.tool, kept.watched = sweep.watched, kept.leans = true;
-    keep(kept, part);
+    stored.tool = sweep.tool, stored.watched = sweep.watched, stored.leans = true;
+    keep(stored, part);
     tilted_ends_.push_back(ends);
   }
 }
@@ -108,12 +108,12 @@ TiltedPath tilted_path_of(const KeptSweep& s, const TiltedEnds& ends) {
 }
 
 void Stock::bin_tilted(std::size_t i) {
-  const TiltedPath way = tilted_path_of(sweeps_[i], tilted_ends(i));
-  const ToolEnds ends(way);
-  const double edge = lattice_.edge(), half_diagonal = edge / 2 * std::sqrt(3.0) * (1 + way.turn()) + lattice_.cell() / 100;
+  const TiltedPath path = tilted_path_of(sweeps_[i], tilted_ends(i));
+  const ToolEnds ends(path);
+  const double edge = lattice_.edge(), half_diagonal = edge / 2 * std::sqrt(3.0) * (1 + path.turn()) + lattice_.cell() / 100;
   for (const ConvexBody& body : tools_[sweeps_[i].tool].bodies) {
     const BodyHeights heights = heights_of(body);
-    const Box3 box = box_around(way, heights.low, heights.high, heights.radius);
+    const Box3 box = box_around(path, heights.low, heights.high, heights.radius);
     int low[3], high[3];
     for (int d = 0; d < 3; ++d) {
       low[d] = int(std::floor(std::max(along(box.least, d) / edge, 0.0)));
@@ -135,17 +135,17 @@ TiltedSweepInBrick Stock::tilted_sweep_in_brick(std::size_t number, std::size_t 
   const KeptSweep s = sweeps_[number];
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
   const double edge = lattice_.edge();
-  TiltedPath way = tilted_path_of(s, tilted_ends(number));
-  way.from = way.from - corner, way.to = way.to - corner;
+  TiltedPath path = tilted_path_of(s, tilted_ends(number));
+  path.from = path.from - corner, path.to = path.to - corner;
   AroundTip around{0, 0, 0};
-  const Vec3 forth = way.to - way.from;
+  const Vec3 forth = path.to - path.from;
   const double far = std::sqrt(dot(forth, forth));
-  if (far > clipped_above * edge) around = around_all(tools_[s.tool], way);
-  if (far > clipped_above * (edge + 2 * around.beside)) {
-    const PathPart part = part_that_reaches(way.from, forth, around, {edge, edge, edge});
-    way = way.between(part.first, part.last);
+  if (far > clipped_above * edge) around = around_all(tools_[s.tool], path);
+  if (far > clipped_above * (edge + 2 * around.sideways)) {
+    const PathPart part = part_that_reaches(path.from, forth, around, {edge, edge, edge});
+    path = path.between(part.first, part.last);
   }
-  return {way, around, TiltedSweep(way, {}, edge), local_sweep(way.from, way.to, around, edge)};
+  return {path, around, TiltedSweep(path, {}, edge), local_sweep(path.from, path.to, around, edge)};
 }
 
 bool Stock::may_reach(std::size_t sweep, const TiltedSweepInBrick& here, float top) const {
@@ -161,21 +161,21 @@ void Stock::cut_tilted(std::size_t number, std::size_t i, const TiltedSweepInBri
   // Lines over which the tool turns in a part of the path are cut with the two halves of this part. In each half, the permitted gap is
   // twice as long (TiltedOver::apart).
   const std::function<void(const TiltedPath&, const TiltedSweep&, const LocalSweep&, const LineSet*)> cut =
-      [&](const TiltedPath& way, const TiltedSweep& sweep, const LocalSweep& tip, const LineSet* only) {
+      [&](const TiltedPath& path, const TiltedSweep& sweep, const LocalSweep& tip, const LineSet* only) {
         const LineSet later = cut_brick_tilted(material, scale_, {sweep, body, tip, swept_[tool][i], only}, std::int32_t(number), outcome);
         if (!later.any) return;
         for (const double first : {0.0, 0.5}) {
-          const TiltedPath half = way.between(first, first + 0.5);
+          const TiltedPath half = path.between(first, first + 0.5);
           cut(half, TiltedSweep(half, {}, lattice_.edge()), local_sweep(half.from, half.to, here.around, lattice_.edge()), &later);
         }
       };
   const TiltedDivision division = division_of(here.sweep, body);
-  if (division.parts == 1) return cut(here.way, here.sweep, here.tip, nullptr);
+  if (division.parts == 1) return cut(here.path, here.sweep, here.tip, nullptr);
   for (std::size_t part = 0; part < std::size_t(division.parts); ++part) {
-    const TiltedPath way = here.way.between(division.share[part], division.share[part + 1]);
-    const TiltedSweep sweep(way, {}, lattice_.edge());
+    const TiltedPath path = here.path.between(division.share[part], division.share[part + 1]);
+    const TiltedSweep sweep(path, {}, lattice_.edge());
     if (kadr::may_reach(sweep, body, scale_, material.top))
-      cut(way, sweep, local_sweep(way.from, way.to, here.around, lattice_.edge()), nullptr);
+      cut(path, sweep, local_sweep(path.from, path.to, here.around, lattice_.edge()), nullptr);
   }
 }
 

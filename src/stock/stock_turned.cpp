@@ -43,8 +43,8 @@ void Stock::add_turned(const Sweep& sweep) {
   const PathPart z = part_between(sweep.from.z, sweep.to.z, least.z - reach, most.z + reach);
   PathPart part{std::max(x.first, z.first), std::min(x.last, z.last)};
   if (part.first > part.last) part = {0, 0};
-  const Vec3 way = sweep.to - sweep.from, from = sweep.from + part.first * way,
-             to = part.last == 1 ? sweep.to : sweep.from + part.last * way;
+  const Vec3 delta = sweep.to - sweep.from, from = sweep.from + part.first * delta,
+             to = part.last == 1 ? sweep.to : sweep.from + part.last * delta;
   keep({{float(from.x), 0, float(from.z - least.z)}, {float(to.x), 0, float(to.z - least.z)}, sweep.tool, sweep.watched, false}, part);
 }
 

@@ -47,7 +47,7 @@ tl::expected<Session*, std::string> Instants::session(const StopToken& stop) {
 
 Session::State Instants::run(const StopToken& stop) {
   Session::State state = Session::State::running;
-  while (state == Session::State::running && !stop.asked()) state = session_->go_on();
+  while (state == Session::State::running && !stop.requested()) state = session_->go_on();
   return state;
 }
 
@@ -131,7 +131,7 @@ tl::expected<InstantState, std::string> Instants::complete(InstantState state, s
     const auto made = session(stop);
     if (!made) return tl::unexpected(made.error());
     if (const Status reached = reach(number, state, stop); !reached) return tl::unexpected(std::string(name_of(reached.error().id)));
-    if (stop.asked()) return tl::unexpected(translated(texts::view::interrupted));
+    if (stop.requested()) return tl::unexpected(translated(texts::view::interrupted));
   }
   state.line = run_.control().line_at(state.origin);
   return state;

@@ -55,12 +55,12 @@ PageJson changed_rows(const PageJson& before, const PageJson& after) {
 
 /// Returns the change of tables from `before` to `after` as a JSON merge patch for a set-up file that states `stated`.
 PageJson difference(const Setup& before, const Setup& after, const Setup& stated) {
-  const PageJson then = tables_json(before), now = tables_json(after), said = tables_json(stated);
+  const PageJson then = tables_json(before), now = tables_json(after), stated_json = tables_json(stated);
   const auto table_of = [](const PageJson& tables, const char* name) { return tables.value(name, PageJson::object()); };
   PageJson patch = PageJson::object();
   for (const char* const table : {"work_offsets", "offsets", "parameters", "tool_table"}) {
     const bool are_numbers = std::string_view(table).ends_with("offsets");
-    PageJson rows = are_numbers ? changed_numbers(table_of(then, table), table_of(now, table), table_of(said, table))
+    PageJson rows = are_numbers ? changed_numbers(table_of(then, table), table_of(now, table), table_of(stated_json, table))
                                 : changed_rows(table_of(then, table), table_of(now, table));
     if (!rows.empty()) patch[table] = std::move(rows);
   }

@@ -113,7 +113,7 @@ void PartRun::report_progress() {
 }
 
 tl::expected<void, std::string> PartRun::fault() const {
-  if (stop_.asked()) return Failed(translated(texts::part_run::stopped));
+  if (stop_.requested()) return Failed(translated(texts::part_run::stopped));
   if (too_much_) return Failed(translated(texts::part_run::cut_too_large));
   if (const auto& report = run_->without_shape()) {
     const Finding f = finding_of(*report, *opened_.texts, thread_language());
@@ -125,14 +125,14 @@ tl::expected<void, std::string> PartRun::fault() const {
 tl::expected<void, std::string> PartRun::execute() {
   run_->attach(stop_);
   Session::State state = Session::State::running;
-  while (state == Session::State::running && !stop_.asked() && !too_much_ && !run_->without_shape()) {
+  while (state == Session::State::running && !stop_.requested() && !too_much_ && !run_->without_shape()) {
     state = session_->go_on();
     report_progress();
   }
   if (auto wrong = fault(); !wrong) return wrong;
   run_->finish();
   const Surface surface = surface_of(run_->cutting().stock());
-  if (stop_.asked()) return fault();
+  if (stop_.requested()) return fault();
   result_ = run_->named(cut_figures(run_->cutting(), job_, surface, nullptr));
   if (const std::string note = too_coarse_message(result_, thread_language()); !note.empty()) notes_.push_back(note);
   return {};

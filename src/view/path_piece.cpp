@@ -18,10 +18,10 @@ constexpr std::size_t levels = 16;
 constexpr std::size_t run_length = 256;
 
 double distance_to_chord(Vec3 p, Vec3 from, Vec3 to) {
-  const Vec3 way = to - from;
-  const double square = dot(way, way);
-  const double along = square > 0 ? std::clamp(dot(p - from, way) / square, 0.0, 1.0) : 0;
-  return length(p - (from + along * way));
+  const Vec3 delta = to - from;
+  const double square = dot(delta, delta);
+  const double along = square > 0 ? std::clamp(dot(p - from, delta) / square, 0.0, 1.0) : 0;
+  return length(p - (from + along * delta));
 }
 
 std::uint8_t level_of(double off) {
@@ -54,11 +54,11 @@ void divide(std::vector<PathVertex>& v, std::size_t first, std::size_t last, dou
   }
 }
 
-std::array<std::uint16_t, levels> kept_at(const ViewPiece& piece) {
-  std::array<std::uint16_t, levels> kept{};
+std::array<std::uint16_t, levels> counts_by_level(const ViewPiece& piece) {
+  std::array<std::uint16_t, levels> counts{};
   for (const PathVertex& v : piece.vertices)
-    for (std::size_t l = 0; l <= v.level; ++l) ++kept[l];
-  return kept;
+    for (std::size_t l = 0; l <= v.level; ++l) ++counts[l];
+  return counts;
 }
 
 void put_head(FrameBytes& frame, const ViewPiece& piece) {
@@ -71,7 +71,7 @@ void put_head(FrameBytes& frame, const ViewPiece& piece) {
   frame.put(greatest);
   frame.put(piece.first);
   frame.put(piece.vertices.front().number);
-  frame.put(kept_at(piece));
+  frame.put(counts_by_level(piece));
   frame.put(std::uint64_t{0});
 }
 

@@ -39,7 +39,7 @@ std::array<float, 3> single(Vec3 v) { return {float(v.x), float(v.y), float(v.z)
 
 PathRecord::PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart,
                        std::uint32_t tool)
-    : roles_(roles), tree_(std::move(tree)), way_(roles, chord, {}, tree_, apart), tool_(tool) {}
+    : roles_(roles), tree_(std::move(tree)), tool_path_(roles, chord, {}, tree_, apart), tool_(tool) {}
 
 void PathRecord::begin_piece() {
   ViewPiece& piece = pieces_.emplace_back();
@@ -82,7 +82,7 @@ void PathRecord::add(const PathVertex& vertex, Vec3 at, Vec3 direction, double t
 
 void PathRecord::consume(const Step& step, double later, double longer) {
   if (const auto* const change = std::get_if<ToolChange>(&step.action.what)) tool_ = change->tool;
-  way_.take(step, ways_);
+  tool_path_.take(step, segments_);
   const Motion* const motion = step.motion();
   const double begins = step.begins + later, seconds = step.time.seconds + longer;
   PathVertex vertex;
@@ -93,14 +93,14 @@ void PathRecord::consume(const Step& step, double later, double longer) {
   if (motion == nullptr && begun_ && step.pause > shortest_dwell) add(vertex, last_, last_direction_, begins + step.pause);
   if (motion == nullptr) return;
   if (!begun_) joints_ = joints_at(step, tree_.get());
-  if (ways_.empty()) turn_on_the_spot(step);
-  if (ways_.empty()) return;
+  if (segments_.empty()) turn_on_the_spot(step);
+  if (segments_.empty()) return;
   note_reach(*motion);
   vertex.kind = kind_of(motion->kind);
   const bool rapid = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home;
   vertex.feed = rapid ? 0 : float(step.time.feed);
   vertex.speed = seconds > 0 ? float(step.time.length / seconds * seconds_a_minute) : 0;
-  const PathSegment& start = ways_.front();
+  const PathSegment& start = segments_.front();
   if (!begun_ || length(start.from - last_) > same_place) {
     PathVertex there = vertex;
     there.kind = PathKind::jump;
@@ -108,7 +108,7 @@ void PathRecord::consume(const Step& step, double later, double longer) {
     add(there, start.from, start.from_direction, begins);
     begun_ = true;
   }
-  for (const PathSegment& w : ways_) {
+  for (const PathSegment& w : segments_) {
     stand_at(step, w.ends);
     add(vertex, w.to, w.to_direction, begins + seconds * w.ends);
   }
@@ -118,7 +118,7 @@ void PathRecord::consume(const Step& step, double later, double longer) {
 void PathRecord::turn_on_the_spot(const Step& step) {
   if (!begun_ || joints_.empty()) return;
   stand_at(step, 1);
-  if (stand_ != last_stand_) ways_.push_back({last_, last_, 0, 1, last_direction_, last_direction_});
+  if (stand_ != last_stand_) segments_.push_back({last_, last_, 0, 1, last_direction_, last_direction_});
 }
 
 void PathRecord::stand_at(const Step& step, double part) {
@@ -130,8 +130,8 @@ void PathRecord::stand_at(const Step& step, double part) {
 
 void PathRecord::note_reach(const Motion& motion) {
   Box box;
-  box.take(ways_.front().from);
-  for (const PathSegment& w : ways_) box.take(w.to);
+  box.take(segments_.front().from);
+  for (const PathSegment& w : segments_) box.take(w.to);
   all_.take(box);
   if (cuts(motion)) cutting_.take(box);
 }
@@ -154,9 +154,9 @@ double PathRecord::end_of_block(std::uint32_t number) const {
   auto piece = std::partition_point(pieces_.begin(), pieces_.end(), begins);
   if (piece == pieces_.begin()) return 0;
   --piece;
-  const auto behind =
+  const auto after =
       std::partition_point(piece->vertices.begin(), piece->vertices.end(), [&](const PathVertex& v) { return v.number <= number; });
-  return time_of(*piece, *(behind - 1));
+  return time_of(*piece, *(after - 1));
 }
 
 void PathRecord::take_times_of(const PathRecord& path) {

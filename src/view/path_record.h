@@ -39,7 +39,7 @@ class PathRecord {
   const std::deque<ViewPiece>& pieces() const { return pieces_; }
   std::size_t vertices() const { return vertices_; }
   /// Returns the zero point of the picture in machine coordinates.
-  Vec3 zero() const { return way_.zero().value_or(way_.present_origin()); }
+  Vec3 zero() const { return tool_path_.zero().value_or(tool_path_.present_origin()); }
   /// Returns the box around the path, relative to the zero point of the picture. The box contains chords instead of arcs.
   Box reach() const { return moved(all_); }
   Box cutting_reach() const { return moved(cutting_); }
@@ -61,11 +61,11 @@ class PathRecord {
 
   AxisRoles roles_;
   std::shared_ptr<const MachineTree> tree_;
-  ToolPath way_;
+  ToolPath tool_path_;
   std::vector<PartJoint> joints_;          // joints whose positions are recorded; empty until the first motion
   std::vector<float> stand_, last_stand_;  // joint positions: at the vertex that is being added, and at the previous vertex
   std::uint32_t tool_;
-  std::vector<PathSegment> ways_;
+  std::vector<PathSegment> segments_;
   std::deque<ViewPiece> pieces_;  // segments of the path; the last segment is not complete, except after flush()
   bool open_ = false;
   std::size_t vertices_ = 0;

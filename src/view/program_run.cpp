@@ -58,9 +58,9 @@ void ProgramRun::attach() {
   const auto rules = session_->look_ahead();
   if (rules) statistics_->count_by(rules->accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
   Outlets& outlets = session_->outlets();
-  outlets.warning = [this](const AlarmReport& report) { tell(report, 0); };
+  outlets.warning = [this](const AlarmReport& report) { publish_report(report, 0); };
   outlets.alarm = [this](const AlarmReport& report) {
-    tell(report, 0);
+    publish_report(report, 0);
     return false;
   };
   checklist_ =
@@ -103,16 +103,16 @@ void ProgramRun::attach_others() {
     Outlets& outlets = session_->outlets(i);
     outlets.step = [&other](const Step& step) { other.record->consume(step, 0, 0); };
     outlets.clock = other.clock.get();
-    outlets.warning = [this, number = channel.number](const AlarmReport& report) { tell(report, number); };
+    outlets.warning = [this, number = channel.number](const AlarmReport& report) { publish_report(report, number); };
     outlets.alarm = [this, number = channel.number](const AlarmReport& report) {
-      tell(report, number);
+      publish_report(report, number);
       return false;
     };
     outlets.stop = stop_;
   }
 }
 
-void ProgramRun::tell(const AlarmReport& report, int channel) {
+void ProgramRun::publish_report(const AlarmReport& report, int channel) {
   statistics_->count(report.alarm.severity);
   const bool stands = report.alarm.severity == Severity::alarm;
   add_mark({seconds_, stands ? TimeMark::Kind::alarm : TimeMark::Kind::warning, channel == 0 ? report.origin.line : 0,
@@ -193,15 +193,15 @@ void ProgramRun::report_progress() {
 
 void ProgramRun::execute() {
   attach_others();
-  std::uint64_t kept = 0;
+  std::uint64_t saved_at = 0;
   keep_checkpoint();
   Session::State state = Session::State::running;
-  while (state == Session::State::running && !stop_.asked()) {
+  while (state == Session::State::running && !stop_.requested()) {
     state = session_->go_on();
-    if (session_->blocks() - kept >= apart_ && state == Session::State::running) kept = session_->blocks(), keep_checkpoint();
+    if (session_->blocks() - saved_at >= apart_ && state == Session::State::running) saved_at = session_->blocks(), keep_checkpoint();
     report_progress();
   }
-  end_ = stop_.asked() ? End::cancelled : state == Session::State::stopped ? End::stopped : End::ended;
+  end_ = stop_.requested() ? End::cancelled : state == Session::State::stopped ? End::stopped : End::ended;
   record_->flush();
   for (const Other& other : others_) other.record->flush();
   emit_contour();

@@ -67,7 +67,7 @@ class ProgramRun {
   ProgramRun(const OpenedProgram& opened, const StopToken& stop) : opened_(opened), stop_(stop) {}
   void attach();
   void attach_others();
-  void tell(const AlarmReport& report, int channel);
+  void publish_report(const AlarmReport& report, int channel);
   void take(const Step& step, double longer);
   void follow_programmed(const Action& action);
   void emit_contour();

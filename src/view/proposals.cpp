@@ -42,16 +42,16 @@ bool take_setup(const ProgramRun& run, ProposedTool& to) {
 /// of tool. Returns false if the comment does not name the kind.
 bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   ToolGeometry& t = to.tool;
-  const std::string_view kind = kind_word(proposal.said);
+  const std::string_view kind = kind_word(proposal.tool_data);
   const std::string place = translated(texts::view::tool_in_line, proposal.line, proposal.text);
   to.from = to.from.empty() ? place : to.from + "; " + place;
-  if (t.diameter == 0) t.diameter = proposal.said.diameter.value_or(0);
+  if (t.diameter == 0) t.diameter = proposal.tool_data.diameter.value_or(0);
   for (int k = 0; k <= int(ToolKind::turning); ++k)
     if (name_of(ToolKind(k)) == kind) t.kind = ToolKind(k);
-  t.corner = t.kind == ToolKind::bull ? proposal.said.corner.value_or(0) : 0;
-  if (t.kind == ToolKind::drill) t.angle = proposal.said.angle.value_or(drill_angle);
-  if (t.kind == ToolKind::chamfer) t.angle = proposal.said.angle.value_or(chamfer_angle);
-  if (t.kind == ToolKind::taper) t.angle = proposal.said.angle.value_or(0) / 2;
+  t.corner = t.kind == ToolKind::bull ? proposal.tool_data.corner.value_or(0) : 0;
+  if (t.kind == ToolKind::drill) t.angle = proposal.tool_data.angle.value_or(drill_angle);
+  if (t.kind == ToolKind::chamfer) t.angle = proposal.tool_data.angle.value_or(chamfer_angle);
+  if (t.kind == ToolKind::taper) t.angle = proposal.tool_data.angle.value_or(0) / 2;
   return !kind.empty();
 }
 

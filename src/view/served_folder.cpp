@@ -337,13 +337,13 @@ tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::st
   if (now ? !replaces || *now != *replaces : replaces.has_value())
     return tl::unexpected(Refused{translated(texts::view::changed_since, file), true});
   const std::string folder = folder_part(file), last = file.substr(folder.empty() ? 0 : folder.size() + 1);
-  const OpenFile beside = open_beneath(fd_, folder, O_RDONLY | O_DIRECTORY);
-  if (!beside.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
+  const OpenFile parent = open_beneath(fd_, folder, O_RDONLY | O_DIRECTORY);
+  if (!parent.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
   std::optional<struct stat> there(std::in_place);
-  if (::fstatat(beside.fd(), last.c_str(), &*there, AT_SYMLINK_NOFOLLOW) != 0) there.reset();
+  if (::fstatat(parent.fd(), last.c_str(), &*there, AT_SYMLINK_NOFOLLOW) != 0) there.reset();
   if (!now && there) return tl::unexpected(Refused{refusal(file)});  // refused, because a link, a folder or a device has this name
-  take_away_unfinished(beside, last);
-  if (const int error = put_in_place(beside, last, text, now ? there : std::nullopt); error != 0)
+  take_away_unfinished(parent, last);
+  if (const int error = put_in_place(parent, last, text, now ? there : std::nullopt); error != 0)
     return tl::unexpected(Refused{of_errno(file, error)});
   const auto saved = digest(file);
   if (!saved) return tl::unexpected(Refused{saved.error()});

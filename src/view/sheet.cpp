@@ -46,11 +46,11 @@ class SheetMaker {
 
   void take_zeros(Sheet& sheet) const {
     const Setup& setup = run_.opened().setup;
-    std::set<std::string> told;
+    std::set<std::string> listed;
     for (const Use& use : run_.control().use().all()) {
       if (use.kind != UseKind::work_zero) continue;
       const UsedKey used = used_key(use, *run_.opened().def);
-      if (!told.insert(used.word).second) continue;
+      if (!listed.insert(used.word).second) continue;
       Sheet::Zero zero{used.word, {}};
       if (used.key.starts_with("zeros.")) {
         if (const auto row = setup.zeros.find(int(use.number)); row != setup.zeros.end()) zero.values = row->second;
@@ -101,9 +101,9 @@ class SheetMaker {
     for (const std::string& line : source_.from(1, head_lines))
       for (const std::string& comment : comments_of(line))
         if (read_tool_comment(comment, inch_).tool == tool) return comment;
-    const std::string beside = comment_on_line(called_at);
-    const auto named = read_tool_comment(beside, inch_).tool;
-    return !named || *named == tool ? beside : std::string();
+    const std::string comment = comment_on_line(called_at);
+    const auto named = read_tool_comment(comment, inch_).tool;
+    return !named || *named == tool ? comment : std::string();
   }
 
   const ToolOffset* offset(std::uint32_t number) const {
@@ -123,11 +123,11 @@ class SheetMaker {
   }
 
   void take_offsets(Sheet::Tool& tool) const {
-    std::set<std::string> told;
+    std::set<std::string> listed;
     for (const Use& use : run_.control().use().all()) {
       if (use.tool != tool.number || (use.kind != UseKind::length && use.kind != UseKind::radius)) continue;
       const std::string word = used_key(use, *run_.opened().def).word;
-      if (told.insert(word).second) {
+      if (listed.insert(word).second) {
         tool.corrector += (tool.corrector.empty() ? "" : " ") + word;
         take_shared(tool, use, word);
       }
@@ -139,31 +139,31 @@ class SheetMaker {
   }
 
   /// Returns the shape of a tool as its comment describes it; dimensions that the comment does not state are missing.
-  static ToolGeometry geometry_by(const ToolComment& said, const Sheet::Tool& tool) {
+  static ToolGeometry geometry_by(const ToolComment& tool_data, const Sheet::Tool& tool) {
     ToolGeometry g;
     g.number = tool.number;
-    g.diameter = said.diameter.value_or(tool.radius.value_or(0) * 2);
+    g.diameter = tool_data.diameter.value_or(tool.radius.value_or(0) * 2);
     g.flutes = g.diameter * flutes_by_diameter;
-    g.corner = said.corner.value_or(0);
-    g.angle = said.angle.value_or(said.kind == ToolWord::drill ? 118 : said.kind == ToolWord::chamfer ? 90 : 0);
-    g.kind = said.kind == ToolWord::ball      ? ToolKind::ball
-             : said.kind == ToolWord::drill   ? ToolKind::drill
-             : said.kind == ToolWord::chamfer ? ToolKind::chamfer
-             : g.corner > 0                   ? ToolKind::bull
-                                              : ToolKind::flat;
+    g.corner = tool_data.corner.value_or(0);
+    g.angle = tool_data.angle.value_or(tool_data.kind == ToolWord::drill ? 118 : tool_data.kind == ToolWord::chamfer ? 90 : 0);
+    g.kind = tool_data.kind == ToolWord::ball      ? ToolKind::ball
+             : tool_data.kind == ToolWord::drill   ? ToolKind::drill
+             : tool_data.kind == ToolWord::chamfer ? ToolKind::chamfer
+             : g.corner > 0                        ? ToolKind::bull
+                                                   : ToolKind::flat;
     return g;
   }
 
   void take_shape(Sheet::Tool& tool) const {
-    const ToolComment said = read_tool_comment(tool.comment, inch_);
+    const ToolComment tool_data = read_tool_comment(tool.comment, inch_);
     if (const ToolGeometry* const known = library_ == nullptr ? nullptr : library_->find(tool.number); known != nullptr) {
       tool.name = known->name;
       tool.outline = outline_of(*known);
       if (!tool.radius && known->diameter > 0) tool.radius = known->diameter / 2;
       return;
     }
-    tool.outline = outline_of(geometry_by(said, tool));
-    if (!tool.radius && said.diameter) tool.radius = *said.diameter / 2;
+    tool.outline = outline_of(geometry_by(tool_data, tool));
+    if (!tool.radius && tool_data.diameter) tool.radius = *tool_data.diameter / 2;
   }
 
   Sheet::Tool tool(const Statistics::ToolUse& use) const {

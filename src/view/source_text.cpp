@@ -47,7 +47,7 @@ SourceText::SourceText(std::shared_ptr<ByteSource> source, std::optional<Encodin
   LineReader reader(source_);
   encoding_ = encoding.value_or(detect_encoding(reader.sample()).value_or(Encoding::utf8));
   for (Line line; reader.next(line); ++lines_)
-    if (lines_ % stretch == 0) places_.push_back(line.offset);
+    if (lines_ % lines_per_offset == 0) places_.push_back(line.offset);
 }
 
 std::uint64_t SourceText::bytes() const { return source_ ? source_->size() : 0; }
@@ -56,8 +56,8 @@ std::vector<std::string> SourceText::from(std::uint32_t line, std::uint32_t coun
   std::vector<std::string> texts;
   if (!source_ || line == 0 || line > lines_) return texts;
   LineReader reader(source_);
-  const std::uint32_t place = (line - 1) / stretch;
-  reader.seek(places_[place], place * stretch + 1);
+  const std::uint32_t place = (line - 1) / lines_per_offset;
+  reader.seek(places_[place], place * lines_per_offset + 1);
   for (Line read; texts.size() < count && reader.next(read);)
     if (read.number >= line) texts.push_back(utf8_of(read.bytes, encoding_));
   return texts;

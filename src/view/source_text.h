@@ -26,7 +26,7 @@ class SourceText {
   std::string whole() const;
 
  private:
-  static constexpr std::uint32_t stretch = 256;  // number of lines from one stored offset to the next
+  static constexpr std::uint32_t lines_per_offset = 256;  // number of lines from one stored offset to the next
 
   std::shared_ptr<ByteSource> source_;
   Encoding encoding_ = Encoding::utf8;

@@ -65,7 +65,7 @@ void StockGuess::take_level(Vec3 from, Vec3 to) {
   const int level = int(std::floor(height / level_height));
   if (levels_.size() >= max_levels && !levels_.contains(level)) return;
   Level& of = levels_[level];
-  of.way += std::hypot(to.x - from.x, to.y - from.y);
+  of.path_length += std::hypot(to.x - from.x, to.y - from.y);
   of.highest = std::max(of.highest, height);
 }
 
@@ -74,7 +74,7 @@ void StockGuess::widen(Boxes& boxes, const Place& place) {
   boxes.try_emplace(place.tool, here).first->second.include(here);
 }
 
-void StockGuess::take_way(Place from, Place to) {
+void StockGuess::take_path(Place from, Place to) {
   const bool sideways = std::hypot(to.at.x - from.at.x, to.at.y - from.at.y) > std::fabs(to.at.z - from.at.z);
   kadr::widen(all_, {from.at, from.at}), kadr::widen(all_, {to.at, to.at});
   if (end_) widen(certain_, *end_);
@@ -89,7 +89,7 @@ void StockGuess::take(const ViewPiece& piece) {
   for (std::size_t i = 1; i < piece.vertices.size(); ++i) {
     const PathVertex& to = piece.vertices[i];
     if (at_feed(to.kind)) {
-      take_way({piece.vertices[i - 1].place(), to.tool}, {to.place(), to.tool});
+      take_path({piece.vertices[i - 1].place(), to.tool}, {to.place(), to.tool});
       after_rapid_ = false;
       continue;
     }
@@ -106,17 +106,17 @@ void StockGuess::take(const ViewPiece& piece) {
 StockGuess::Cut StockGuess::cut_below(double top) const {
   Cut cut{certain_, {}};
   for (const Place& start : starts_) {
-    if (start.at.z < top - above) cut.beside.push_back(start);
+    if (start.at.z < top - above) cut.outside.push_back(start);
     else widen(cut.boxes, start);
   }
   const auto counts = [&](const Place& end) {
-    return std::none_of(cut.beside.begin(), cut.beside.end(),
+    return std::none_of(cut.outside.begin(), cut.outside.end(),
                         [&](const Place& b) { return std::hypot(b.at.x - end.at.x, b.at.y - end.at.y) < same_hole; });
   };
   for (const Place& end : ends_)
     if (counts(end)) widen(cut.boxes, end);
   if (end_ && counts(*end_)) widen(cut.boxes, *end_);
-  if (cut.boxes.empty()) cut.boxes[0] = *all_, cut.beside.clear();
+  if (cut.boxes.empty()) cut.boxes[0] = *all_, cut.outside.clear();
   return cut;
 }
 
@@ -125,8 +125,8 @@ double StockGuess::top_of(double zero) const {
   if (levels_.empty()) return all_->least.z < zero ? zero : all_->most.z;
   double all = 0, beyond = 0;
   for (const auto& [level, of] : levels_) {
-    all += of.way;
-    if (of.highest > zero + above) beyond += of.way;
+    all += of.path_length;
+    if (of.highest > zero + above) beyond += of.path_length;
   }
   if (all_->least.z < zero - above && beyond <= mostly * all) return zero;
   return levels_.rbegin()->second.highest;
@@ -149,7 +149,7 @@ std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of) 
   const Vec3 size = whole->most - whole->least;
   const double margin = std::clamp(margin_share * std::max({size.x, size.y, size.z}), least_margin, max_margin);
   Box3 blank = grown(*whole, margin), wide = grown(*swept, least_margin);
-  for (const Place& one : cut.beside) end_before(wide, *whole, one.at, radius_of ? radius_of(one.tool) : 0);
+  for (const Place& one : cut.outside) end_before(wide, *whole, one.at, radius_of ? radius_of(one.tool) : 0);
   take_sides(blank, wide);
   const Vec3 least = whole->least - zero, most = whole->most - zero;
   const double bottom = down(least.z - margin);

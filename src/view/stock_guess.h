@@ -39,7 +39,7 @@ class StockGuess {
 
  private:
   struct Level {
-    double way = 0;  // length in mm of the path that the tool moves sideways at feed on this level
+    double path_length = 0;  // length in mm of the path that the tool moves sideways at feed on this level
     double highest = -1e300;
   };
   struct Place {
@@ -50,10 +50,10 @@ class StockGuess {
   /// The material that the program cuts if the blank has a certain top.
   struct Cut {
     Boxes boxes;
-    std::vector<Place> beside;  // positions of tools that descend outside the blank
+    std::vector<Place> outside;  // positions of tools that descend outside the blank
   };
   static void widen(Boxes& boxes, const Place& place);
-  void take_way(Place from, Place to);
+  void take_path(Place from, Place to);
   void take_level(Vec3 from, Vec3 to);
   double top_of(double zero) const;
   Cut cut_below(double top) const;

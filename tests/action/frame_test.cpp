@@ -60,10 +60,10 @@ RC_GTEST_PROP(frame, exchanged_and_reversed_axes_there_and_back, ()) {
   const Axes machine = frame.machine_of(work), back = frame.work_of(machine);
   auto own = std::make_shared<FrameTurn>(rotation_of_the_manual());
   frame.turn = own;
-  const Axes undriven = frame.machine_of(work), way = turned_back_axes(*turn, turned_axes(*turn, work));
+  const Axes undriven = frame.machine_of(work), turned_back = turned_back_axes(*turn, turned_axes(*turn, work));
   for (std::size_t a = 0; a < 4; ++a) {
     RC_ASSERT(std::fabs(back[a] - work[a]) < 1e-9);
-    RC_ASSERT(std::fabs(way[a] - work[a]) < 1e-9);
+    RC_ASSERT(std::fabs(turned_back[a] - work[a]) < 1e-9);
     RC_ASSERT(machine[drives.of(a)] == drives.sense(a) * undriven[a]);
   }
 }

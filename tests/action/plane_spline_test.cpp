@@ -125,11 +125,11 @@ RC_GTEST_PROP(plane_spline, chords_of_pieces_stay_as_near_as_asked, ()) {
   const int stride = std::max(1, count / 2000);  // a cusp needs a million segments: only some of each part of the curve are checked
   for (int i = count % stride / 2; i < count; i += stride) {
     const double low = from + (to - from) * i / count, high = from + (to - from) * (i + 1) / count;
-    const Vec2 start = curve.at(low), way = curve.at(high) - start;
+    const Vec2 start = curve.at(low), delta = curve.at(high) - start;
     for (int k = 1; k < 8; ++k) {
       const Vec2 off = curve.at(low + (high - low) * k / 8) - start;
-      const double along = std::clamp(dot(off, way) / std::max(dot(way, way), 1e-30), 0.0, 1.0);
-      RC_ASSERT(length(off - along * way) <= 1.3 * chord);
+      const double along = std::clamp(dot(off, delta) / std::max(dot(delta, delta), 1e-30), 0.0, 1.0);
+      RC_ASSERT(length(off - along * delta) <= 1.3 * chord);
     }
   }
 }

@@ -36,14 +36,14 @@ TEST(SideBySideThreads, DoEachShareOnce) {
 /// The exception may come from any of the threads; all threads have ended by then.
 TEST(SideBySideThreads, HandOnWhatOneThrows) {
   for (int bad = 0; bad < 5; ++bad) {
-    std::atomic<int> under_way = 0;
+    std::atomic<int> running = 0;
     const auto work = [&](int i) {
-      ++under_way;
-      if (i == bad) --under_way, throw std::runtime_error("full");
-      --under_way;
+      ++running;
+      if (i == bad) --running, throw std::runtime_error("full");
+      --running;
     };
     EXPECT_THROW(run_parallel(5, work), std::runtime_error);
-    EXPECT_EQ(under_way, 0);
+    EXPECT_EQ(running, 0);
   }
 }
 

@@ -33,7 +33,7 @@ Comparison compared(const std::string& a, const std::string& b, double tolerance
   return compare_sessions(session_of(a), session_of(b), rules);
 }
 
-std::string told(const Comparison& c) {
+std::string described(const Comparison& c) {
   std::string text;
   for (const CourseDifference& d : c.differences)
     text += fmt::format("{} {}:{} {}-{} '{}' '{}' {:.3f}\n", int(d.kind), d.a.origin.line, d.b.origin.line, d.a_to.origin.line,
@@ -45,7 +45,7 @@ constexpr const char* plain = "G21 G90 M3 S1000\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\n
 
 TEST(Comparison, AProgramAndItself) {
   const Comparison c = compared(plain, plain);
-  EXPECT_TRUE(c.equal()) << told(c);
+  EXPECT_TRUE(c.equal()) << described(c);
   EXPECT_EQ(c.greatest, 0);
   EXPECT_EQ(c.moves_a, 6U);
   EXPECT_EQ(c.moves_b, 6U);
@@ -53,19 +53,19 @@ TEST(Comparison, AProgramAndItself) {
 
 TEST(Comparison, ALineCutInTwoIsTheSameLine) {
   const Comparison c = compared(plain, "G21 G90 S1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX3\nX7\nX10\nY10\nG2 X0 Y10 R5\nG0 Z5\nM2\n");
-  EXPECT_TRUE(c.equal()) << told(c);
+  EXPECT_TRUE(c.equal()) << described(c);
 }
 
 TEST(Comparison, IncrementsAndArcsByChordsAreTheSame) {
   const Comparison c = compared("G21 G90\nG0 X0 Y0\nG1 X10 F100\nG3 X20 Y10 R10\nM2\n", "G21 G91\nG1 X10 F100\nG3 X10 Y10 I0 J10\nM2\n");
-  EXPECT_TRUE(c.equal()) << told(c);
+  EXPECT_TRUE(c.equal()) << described(c);
 }
 
 TEST(Comparison, AnotherWayIsFoundWithBothLines) {
   const Comparison c = compared(plain, "G21 G90 M3 S1000\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nX10.5 Y5\nX10 Y10\nG2 X0 Y10 I-5 J0\nG0 Z5\nM2\n");
-  ASSERT_EQ(c.differences.size(), 1U) << told(c);
+  ASSERT_EQ(c.differences.size(), 1U) << described(c);
   const CourseDifference& d = c.differences[0];
-  EXPECT_EQ(d.kind, CourseDifference::Kind::way);
+  EXPECT_EQ(d.kind, CourseDifference::Kind::path);
   EXPECT_EQ(d.a.origin.line, 5U);
   EXPECT_EQ(d.b.origin.line, 5U);
   EXPECT_EQ(d.a_to.origin.line, 6U);
@@ -86,12 +86,12 @@ TEST(Comparison, WhatIsInForceCounts) {
   EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20\nM8\nX30\nM2\n"), int(Kind::coolant));
   EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20\nG4 P1\nX30\nM2\n"), int(Kind::act));
   EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20\nM0\nX30\nM2\n"), int(Kind::act));
-  EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20\nX30\nG1 X40\nM2\n"), int(Kind::way));
+  EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20\nX30\nG1 X40\nM2\n"), int(Kind::path));
 }
 
 TEST(Comparison, AFeedThatChangesInMidLineIsTold) {
   const Comparison c = compared("G21 G90\nG1 X10 F100\nX20 F200\nM2\n", "G21 G90\nG1 X12 F100\nX20 F200\nM2\n");
-  ASSERT_EQ(c.differences.size(), 1U) << told(c);
+  ASSERT_EQ(c.differences.size(), 1U) << described(c);
   EXPECT_EQ(c.differences[0].kind, CourseDifference::Kind::feed);
   EXPECT_NEAR(c.differences[0].a.stand[0], 10, 1e-9);
   EXPECT_NEAR(c.differences[0].a_to.stand[0], 12, 1e-9);
@@ -99,7 +99,7 @@ TEST(Comparison, AFeedThatChangesInMidLineIsTold) {
 
 TEST(Comparison, AFeedOnAWayThatComesBackIsTold) {
   const Comparison c = compared("G21 G90\nG0 Z5\nG1 Z-10 F100\nZ5\nG0 X1\nM2\n", "G21 G90\nG0 Z5\nG1 Z-10 F101\nZ5\nG0 X1\nM2\n");
-  ASSERT_EQ(c.differences.size(), 1U) << told(c);
+  ASSERT_EQ(c.differences.size(), 1U) << described(c);
   EXPECT_EQ(c.differences[0].kind, CourseDifference::Kind::feed);
 }
 
@@ -109,7 +109,7 @@ TEST(Comparison, TheOrderOfSwitchesAtOnePlaceDoesNotCount) {
 
 TEST(Comparison, OneThatComesToAnAlarmIsNotTheSame) {
   const Comparison c = compared("G1 X1 F100\nM2\n", "G1 X1 F100\nG2 X5 I1 J1\nM2\n");
-  ASSERT_EQ(c.differences.size(), 1U) << told(c);
+  ASSERT_EQ(c.differences.size(), 1U) << described(c);
   EXPECT_EQ(c.differences[0].kind, CourseDifference::Kind::end);
 }
 
@@ -132,7 +132,7 @@ TEST(Comparison, AnExactStopIsAtTheEndOfItsMotion) {
   EXPECT_TRUE(compared(a, a).equal());
   EXPECT_TRUE(compared(a, "G21 G90 G61\nG1 X10 F100\nX20\nX20\nG64 Y5\nM2\n").equal()) << "nothing goes on from the last one";
   const Comparison gone = compared(a, "G21 G90 G61\nG1 X10 F100\nG64 X20\nG61 Y5\nM2\n");
-  ASSERT_EQ(gone.differences.size(), 1U) << told(gone);
+  ASSERT_EQ(gone.differences.size(), 1U) << described(gone);
   EXPECT_EQ(gone.differences[0].kind, CourseDifference::Kind::act);
   EXPECT_EQ(gone.differences[0].a_value, "G9");
   EXPECT_NEAR(gone.differences[0].a.stand[0], 20, 1e-9);
@@ -148,7 +148,7 @@ TEST(Comparison, ExactStopsOfTwoControlsAreTheSameWhereBothHaveThem) {
   const std::string mode = "G21 G90 G61\nG1 X10 F100\nX20\nY5\nM2\n",
                     block = "N1 G90 G1 G9 X10000 F100 ПС\nN2 G9 X20000 ПС\nN3 Y5000 ПС\nN4 M2 ПС\n";
   const Comparison same = compared_as(mode, "mach3", "% ПС\n" + block, "s2c42");
-  EXPECT_TRUE(same.equal()) << told(same);
+  EXPECT_TRUE(same.equal()) << described(same);
   EXPECT_FALSE(compared_as("G21 G90\nG1 X10 F100\nX20\nY5\nM2\n", "mach3", "% ПС\n" + block, "s2c42").equal());
   EXPECT_TRUE(compared_as(mode, "mach3", "G21 G90\nG1 X10 F100\nX20\nY5\nM2\n", "grbl").equal()) << "Grbl has none";
 }
@@ -169,7 +169,7 @@ TEST(Comparison, SwitchesAfterTheLastMotionCount) {
   const std::string motion = "% LF\nN1 G90 F100 S500 M03 LF\nN2 G01 X10000 LF\n";
   EXPECT_TRUE(compared_as(motion + "N3 M05 LF\nN4 M02 LF\n", "gost", motion + "N3 M05 M02 LF\n", "gost").equal());
   const Comparison left_on = compared_as(motion + "N3 M05 LF\nN4 M02 LF\n", "gost", motion + "N3 M02 LF\n", "gost");
-  ASSERT_EQ(left_on.differences.size(), 1U) << told(left_on);
+  ASSERT_EQ(left_on.differences.size(), 1U) << described(left_on);
   EXPECT_EQ(left_on.differences[0].kind, CourseDifference::Kind::spindle);
   EXPECT_FALSE(compared_as(motion + "N3 M02 LF\n", "gost", motion + "N3 M08 LF\nN4 M02 LF\n", "gost").equal());
   const std::string iso = "G21 G90 F10 S500 M3\nG1 X10\n";
@@ -183,7 +183,7 @@ TEST(Comparison, AFeedPerRevolutionIsOnePerMinuteAtItsSpeedByTheRules) {
   CompareRules rules;
   rules.feeds_at_speed = true;
   const Comparison c = compare_sessions(session_of(by_turns), session_of(by_time), rules);
-  EXPECT_TRUE(c.equal()) << told(c);
+  EXPECT_TRUE(c.equal()) << described(c);
   EXPECT_TRUE(c.feeds_at_speed);
   EXPECT_FALSE(compare_sessions(session_of(by_turns), session_of("G21 G90 G94 S500 M3\nG1 X10 F100\nS1000\nX20\nM2\n"), rules).equal());
 }

@@ -26,9 +26,9 @@ double from_path(Vec3 p, const PlotPath& path) {
   double least = 1e300;
   for (std::size_t i = 1; i < path.points().size(); ++i) {
     if (path.points()[i].stroke == Stroke::jump) continue;
-    const Vec3 from = path.points()[i - 1].at, way = path.points()[i].at - from;
-    const double part = std::clamp(dot(p - from, way) / std::max(dot(way, way), 1e-300), 0.0, 1.0);
-    least = std::min(least, length(p - (from + part * way)));
+    const Vec3 from = path.points()[i - 1].at, delta = path.points()[i].at - from;
+    const double part = std::clamp(dot(p - from, delta) / std::max(dot(delta, delta), 1e-300), 0.0, 1.0);
+    least = std::min(least, length(p - (from + part * delta)));
   }
   return least;
 }

@@ -102,7 +102,7 @@ RC_GTEST_PROP(PieceFollowerProperty, without_a_gap_and_numbered_as_told, ()) {
     RC_ASSERT(piece.number + 1 >= reached);
     reached = std::max(reached, piece.number + 1);
     const Kind kind = f.made.differences[piece.number].kind;
-    RC_ASSERT((piece.part == Part::apart) == (kind == Kind::way || kind == Kind::act));
+    RC_ASSERT((piece.part == Part::apart) == (kind == Kind::path || kind == Kind::act));
   }
 }
 

@@ -254,24 +254,25 @@ TEST(errors, name_file_line_and_thing) {
 
 // Machine files and set-ups use the same check: config/range.h.
 TEST(errors, of_numbers_beyond_their_range) {
-  const auto said = [](const std::string& toml) { return refusal(head + toml); };
+  const auto refused = [](const std::string& toml) { return refusal(head + toml); };
   for (const char* scale : {"0", "-1", "nan", "inf", "1e-300", "'1'", "true"})
-    EXPECT_EQ(said(std::string("[address]\nF = { scale = ") + scale + " }\n"), "own.toml:4: scale must be a number, 1e-09 to 1000000000");
+    EXPECT_EQ(refused(std::string("[address]\nF = { scale = ") + scale + " }\n"),
+              "own.toml:4: scale must be a number, 1e-09 to 1000000000");
   for (const char* feed : {"-5", "nan", "inf", "1e10"})
-    EXPECT_EQ(said(std::string("[behaviour]\nreference_feed = ") + feed + "\n"),
+    EXPECT_EQ(refused(std::string("[behaviour]\nreference_feed = ") + feed + "\n"),
               "own.toml:4: reference_feed must be a number, 0 to 1000000000 mm/min");
-  EXPECT_EQ(said("[behaviour]\narc_radius_difference = -0.1\n"), "own.toml:4: arc_radius_difference must be a number, 0 to 10000000 mm");
-  EXPECT_EQ(said("[address]\nF = { least = nan }\n"), "own.toml:4: least must be a number");
-  EXPECT_EQ(said("[address]\nF = { least = 2, most = 1 }\n"), "own.toml:4: least is above most");
-  EXPECT_EQ(said("[feed_codes]\n01 = -1\n"), "own.toml:4: 01 must be a number, 0 to 1000000000 mm/min");
-  EXPECT_EQ(said("[speed_codes]\nfast = 1\n"), "own.toml:4: speed_codes: 'fast' is no code number");
-  EXPECT_EQ(said("a" +
-                 []() {
-                   std::string parts;
-                   for (int i = 0; i < 50'000; ++i) parts += ".a";
-                   return parts;
-                 }() +
-                 " = 1\n"),
+  EXPECT_EQ(refused("[behaviour]\narc_radius_difference = -0.1\n"), "own.toml:4: arc_radius_difference must be a number, 0 to 10000000 mm");
+  EXPECT_EQ(refused("[address]\nF = { least = nan }\n"), "own.toml:4: least must be a number");
+  EXPECT_EQ(refused("[address]\nF = { least = 2, most = 1 }\n"), "own.toml:4: least is above most");
+  EXPECT_EQ(refused("[feed_codes]\n01 = -1\n"), "own.toml:4: 01 must be a number, 0 to 1000000000 mm/min");
+  EXPECT_EQ(refused("[speed_codes]\nfast = 1\n"), "own.toml:4: speed_codes: 'fast' is no code number");
+  EXPECT_EQ(refused("a" +
+                    []() {
+                      std::string parts;
+                      for (int i = 0; i < 50'000; ++i) parts += ".a";
+                      return parts;
+                    }() +
+                    " = 1\n"),
             "own.toml:3:32: a key of more than 16 parts");
 }
 
@@ -301,10 +302,10 @@ TEST(errors, of_what_is_missing) {
 TEST(errors, of_a_format_are_translated) {
   set_thread_language(Lang::ru);
   for (const std::string format : {"X+053 LF Y+053", "0G2", "3", "X+053 X+053", "N043", "X-053", "X+0", "X+0537", "X+00"}) {
-    const std::string said = refusal(head + "format = \"" + format + "\"\n");
-    const std::size_t at = said.find("непонятен: ");
-    ASSERT_NE(at, std::string::npos) << said;
-    EXPECT_NE(said.find_first_of("\xD0\xD1", at + std::string("непонятен: ").size()), std::string::npos) << said;
+    const std::string refused = refusal(head + "format = \"" + format + "\"\n");
+    const std::size_t at = refused.find("непонятен: ");
+    ASSERT_NE(at, std::string::npos) << refused;
+    EXPECT_NE(refused.find_first_of("\xD0\xD1", at + std::string("непонятен: ").size()), std::string::npos) << refused;
   }
   set_thread_language(Lang::en);
 }

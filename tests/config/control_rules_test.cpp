@@ -36,7 +36,7 @@ TEST(needs, are_asked_for_by_the_loader) {
     const std::string name(traits_of(f).name);
     const std::string row = "[order]\nphases = [" + phases + "]\n[g]\n\"300\" = { does = \"" + name + "\", takes = \"XYZ\" }\n";
     for (const std::string base : {"gost", "s2c42", "mach3", "correctors", "nct"}) {
-      const std::string said = refusal(base, row);
+      const std::string refused = refusal(base, row);
       const bool is_nct = base == "nct";
       const bool wrong = traits_of(f).by == CalledBy::word || (traits_of(f).needs == Needs::nct && !is_nct) ||
                          (traits_of(f).needs == Needs::no_nct && is_nct) ||
@@ -44,7 +44,7 @@ TEST(needs, are_asked_for_by_the_loader) {
                          (traits_of(f).needs == Needs::sections && base != "s2c42") ||
                          (traits_of(f).needs == Needs::labels && base != "mach3" && base != "nct" && base != "gost");
       if (!wrong) continue;  // it may be refused for another reason, or accepted
-      EXPECT_EQ(said.find("own.toml:6: G300: '" + name + "'"), 0U) << base << ": " << said;
+      EXPECT_EQ(refused.find("own.toml:6: G300: '" + name + "'"), 0U) << base << ": " << refused;
     }
   }
 }

@@ -190,7 +190,7 @@ TEST(guess, comments_and_names) {
 }
 
 /// Returns "fanuc?" for a weak guess, "grbl!" for a decisive one, "unknown:lathe" for a dialect that Kadr does not read.
-std::string told_of(const Guess& guess) {
+std::string described(const Guess& guess) {
   if (guess.control.empty()) return guess.dialect.empty() ? "unknown" : "unknown:" + guess.dialect;
   return guess.control + (guess.decisive ? "!" : "?");
 }
@@ -216,7 +216,7 @@ std::vector<Head> heads() {
 TEST(guess, of_heads) {
   for (const auto& [expected, path, text] : heads()) {
     const Guess guess = guess_control(text, path);
-    EXPECT_EQ(told_of(guess), expected) << path << "\n" << text << guess.reason_en;
+    EXPECT_EQ(described(guess), expected) << path << "\n" << text << guess.reason_en;
   }
   EXPECT_GT(heads().size(), 200U);
 }

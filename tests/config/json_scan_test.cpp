@@ -92,9 +92,9 @@ RC_GTEST_PROP(json_scan, as_the_parser, ()) {
   for (const auto which : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, static_cast<int>(pieces.size()))))
     text += pieces[static_cast<std::size_t>(which)];
   const bool parses = nlohmann::json::accept(text);
-  const std::string said = fault(text);
-  if (parses && !said.empty()) RC_ASSERT(said.find("stands twice") != std::string::npos);
-  if (!parses) RC_ASSERT(!said.empty());
+  const std::string fault_text = fault(text);
+  if (parses && !fault_text.empty()) RC_ASSERT(fault_text.find("stands twice") != std::string::npos);
+  if (!parses) RC_ASSERT(!fault_text.empty());
 }
 
 }  // namespace

@@ -167,41 +167,41 @@ TEST(setup_keys, ranges) {
 }
 
 /// Appends the path from the root of every key of the set-up, at any depth, to `to`.
-void ways_of(const Json& value, std::vector<std::string> way, std::vector<std::vector<std::string>>& to) {
+void key_paths(const Json& value, std::vector<std::string> key_path, std::vector<std::vector<std::string>>& to) {
   if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
-      way.push_back(std::to_string(i));
-      ways_of(value[i], way, to);
-      way.pop_back();
+      key_path.push_back(std::to_string(i));
+      key_paths(value[i], key_path, to);
+      key_path.pop_back();
     }
   }
   if (!value.is_object()) return;
   for (const auto& [key, item] : value.items()) {
-    way.push_back(key);
-    to.push_back(way);
-    ways_of(item, way, to);
-    way.pop_back();
+    key_path.push_back(key);
+    to.push_back(key_path);
+    key_paths(item, key_path, to);
+    key_path.pop_back();
   }
 }
 
-Json renamed(const Json& setup, const std::vector<std::string>& way, const std::string& name) {
+Json renamed(const Json& setup, const std::vector<std::string>& key_path, const std::string& name) {
   Json changed = setup;
   Json* at = &changed;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) at = at->is_array() ? &(*at)[std::stoul(way[i])] : &(*at)[way[i]];
-  const Json value = (*at)[way.back()];
-  at->erase(way.back());
+  for (std::size_t i = 0; i + 1 < key_path.size(); ++i) at = at->is_array() ? &(*at)[std::stoul(key_path[i])] : &(*at)[key_path[i]];
+  const Json value = (*at)[key_path.back()];
+  at->erase(key_path.back());
   (*at)[name] = value;
   return changed;
 }
 
 /// Returns true if `name` is another key, row or name that the control has at this path.
-bool is_known_there(const std::vector<std::string>& way, const std::string& name, const ControlDef& def) {
+bool is_known_there(const std::vector<std::string>& key_path, const std::string& name, const ControlDef& def) {
   std::string path;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < key_path.size(); ++i) {
     const SetupKey* const row = path.empty() ? nullptr : setup_key(path);
     if (row != nullptr && row->form == SetupForm::tables) continue;  // an index such as "0"
     const bool is_name = row != nullptr && row->names != SetupNames::fixed;
-    path += (path.empty() ? "" : ".") + (is_name ? "*" : way[i]);
+    path += (path.empty() ? "" : ".") + (is_name ? "*" : key_path[i]);
   }
   const SetupKey* const parent = path.empty() ? nullptr : setup_key(path);
   if (parent == nullptr || parent->names == SetupNames::fixed || parent->form == SetupForm::tables) {
@@ -218,19 +218,19 @@ TEST(setup_keys, a_mistyped_key_never_passes) {
     for (const SetupKey& row : setup_keys()) {
       if (!has(def, row.needs) || row.path == "files" || row.path == "frame") continue;
       const Json good = setup_with(row, &def);
-      std::vector<std::vector<std::string>> ways;
-      ways_of(good, {}, ways);
-      for (const auto& way : ways)
-        for (std::size_t i = 0; i <= way.back().size(); ++i)
+      std::vector<std::vector<std::string>> key_paths_found;
+      key_paths(good, {}, key_paths_found);
+      for (const auto& key_path : key_paths_found)
+        for (std::size_t i = 0; i <= key_path.back().size(); ++i)
           for (const char letter : {'x', 'Q', '7', '\0'}) {
-            std::string name = way.back();
+            std::string name = key_path.back();
             if (letter == '\0' && i < name.size()) name.erase(i, 1);
             else if (i < name.size()) name[i] = letter;
             else name += letter == '\0' ? ' ' : letter;
-            if (name == way.back()) continue;
-            const auto done = read(renamed(good, way, name), &def);
+            if (name == key_path.back()) continue;
+            const auto done = read(renamed(good, key_path, name), &def);
             ++tried;
-            if (done) EXPECT_TRUE(is_known_there(way, name, def)) << def.id << ": " << renamed(good, way, name);
+            if (done) EXPECT_TRUE(is_known_there(key_path, name, def)) << def.id << ": " << renamed(good, key_path, name);
             else EXPECT_NE(done.error().find("setup key '"), std::string::npos) << done.error();
           }
     }

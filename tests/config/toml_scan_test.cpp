@@ -46,12 +46,12 @@ TEST(toml_scan, our_own_files_are_far_within) {
 }
 
 TEST(toml_parsed, faults_have_line_and_column) {
-  const auto said = [](std::string_view text) { return toml_tools::parsed(text, "a.toml").error(); };
-  EXPECT_TRUE(said("x = 1\ny = [1, \n z").starts_with("a.toml:3:2: Error while parsing ")) << said("x = 1\ny = [1, \n z");
-  EXPECT_EQ(said("\xFF\xFEx"), "a.toml:1:1: the file is UTF-16; save it as UTF-8");
-  EXPECT_EQ(said(std::string_view("x = 1\0", 6)), "a.toml:1:6: a NUL byte: this is no text");
+  const auto error_of = [](std::string_view text) { return toml_tools::parsed(text, "a.toml").error(); };
+  EXPECT_TRUE(error_of("x = 1\ny = [1, \n z").starts_with("a.toml:3:2: Error while parsing ")) << error_of("x = 1\ny = [1, \n z");
+  EXPECT_EQ(error_of("\xFF\xFEx"), "a.toml:1:1: the file is UTF-16; save it as UTF-8");
+  EXPECT_EQ(error_of(std::string_view("x = 1\0", 6)), "a.toml:1:6: a NUL byte: this is no text");
   set_process_language(Lang::ru);
-  EXPECT_EQ(said("x = 1\ny = [1, 2"), "a.toml:2:10: неверно записан список [ … ]");
+  EXPECT_EQ(error_of("x = 1\ny = [1, 2"), "a.toml:2:10: неверно записан список [ … ]");
   set_process_language(Lang::en);
   EXPECT_TRUE(toml_tools::parsed("\xEF\xBB\xBFx = 1\r\ny = 2\r\n", "a.toml"));
 }

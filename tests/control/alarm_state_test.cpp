@@ -30,18 +30,18 @@ const std::string shows_mach3 =
     "G0 X7 Y1\nG90 G2 X8 Y1 I0.5\nG83 X5 Y6 Z-3 R1 Q1\nX7\nG80\nG0 X1 Y2 Z3\n";
 
 /// Restates the modes and the position that a faulty motion may leave to the blocks after it.
-const std::string anew = "G90 G91.1 G17 G21 G0 X0 Y0 Z0\n";
+const std::string restart = "G90 G91.1 G17 G21 G0 X0 Y0 Z0\n";
 
 TEST(alarm_on_mach3, leaves_everything_as_it_was) {
   const std::string start = "G21 F100 #1=3 #2=4\nG43 H1\nG10 L1 P3 Z7\n";
   const Scene scenes[] = {
-      {"mach3", start + "G1 X1 Y1\n", shows_mach3, anew},
-      {"mach3", start + "G0 X1\nG16\nX5 Y45\n", "X6\nY20\n" + shows_mach3, anew},
-      {"mach3", start + "G1 X1\nG68 A1 B2 R30\nG51 X-1 Y1\nG1 X2\n", "X6\nY20\nG68 I1 R10\n" + shows_mach3, anew},
-      {"mach3", start + "G92 X5\nG1 X2\n", "G92 X6\nX7\nG92.1\n" + shows_mach3, anew},
-      {"mach3", start + "G81 X1 Y1 Z-1 R2\n", "G81 X2 Z-1 R2\nX3 R3\n" + shows_mach3, anew},
-      {"mach3", start + "G83 X1 Y1 Z-1 R2 Q0.7\n", "G83 X2 Z-1 R2 Q0.7\nX3 Q1\n" + shows_mach3, anew},
-      {"mach3", start + "G20 G93\nG0 X1\n", "G94 F3 G1 X2\n" + shows_mach3, anew},
+      {"mach3", start + "G1 X1 Y1\n", shows_mach3, restart},
+      {"mach3", start + "G0 X1\nG16\nX5 Y45\n", "X6\nY20\n" + shows_mach3, restart},
+      {"mach3", start + "G1 X1\nG68 A1 B2 R30\nG51 X-1 Y1\nG1 X2\n", "X6\nY20\nG68 I1 R10\n" + shows_mach3, restart},
+      {"mach3", start + "G92 X5\nG1 X2\n", "G92 X6\nX7\nG92.1\n" + shows_mach3, restart},
+      {"mach3", start + "G81 X1 Y1 Z-1 R2\n", "G81 X2 Z-1 R2\nX3 R3\n" + shows_mach3, restart},
+      {"mach3", start + "G83 X1 Y1 Z-1 R2 Q0.7\n", "G83 X2 Z-1 R2 Q0.7\nX3 Q1\n" + shows_mach3, restart},
+      {"mach3", start + "G20 G93\nG0 X1\n", "G94 F3 G1 X2\n" + shows_mach3, restart},
   };
   const char* faults[] = {
       "#1=7 G1 X1 Y",

@@ -123,8 +123,8 @@ std::vector<std::string> steps_of(const std::string& program) {
   for (const Action& a : r.actions) {
     char text[120];
     if (const auto* m = std::get_if<Motion>(&a.what)) {
-      const double way = length(Vec3{m->to[0] - at[0], m->to[1] - at[1], m->to[2] - at[2]});
-      if (way < 1e-9) continue;
+      const double travel = length(Vec3{m->to[0] - at[0], m->to[1] - at[1], m->to[2] - at[2]});
+      if (travel < 1e-9) continue;
       at = m->to;
       std::snprintf(text, sizeof text, "%d %.6f %.6f %.6f F%g", int(m->kind), at[0] + 0.0, at[1] + 0.0, at[2] + 0.0, m->feed);
       steps.emplace_back(text);

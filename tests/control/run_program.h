@@ -93,13 +93,13 @@ inline std::vector<std::string> exactly(const std::vector<Action>& actions) {
 }
 
 /// Returns true if the control executes the code itself and only reports it to the machine (nct 13.1).
-inline bool is_told(const Action& action) {
+inline bool is_report(const Action& action) {
   const auto* const function = std::get_if<MachineFunction>(&action.what);
   return function != nullptr && function->by_control;
 }
 
 inline std::vector<Action> untold(std::vector<Action> actions) {
-  std::erase_if(actions, is_told);
+  std::erase_if(actions, is_report);
   return actions;
 }
 
@@ -116,9 +116,9 @@ inline std::string exactly(const FinalState& e) {
 
 /// Returns the length of a motion from `from`, arcs and helices included.
 inline double path_length(const Motion& m, const Axes& from) {
-  const Vec3 way{m.to[0] - from[0], m.to[1] - from[1], m.to[2] - from[2]};
-  if (m.turns == 0) return length(way);
-  const double along[] = {way.x, way.y, way.z};
+  const Vec3 delta{m.to[0] - from[0], m.to[1] - from[1], m.to[2] - from[2]};
+  if (m.turns == 0) return length(delta);
+  const double along[] = {delta.x, delta.y, delta.z};
   const Vec2 arm = Vec2{from[m.first], from[m.second]} - m.center;
   return std::hypot(length(arm) * m.turns * 2 * pi, along[3 - m.first - m.second]);
 }

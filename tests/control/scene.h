@@ -14,12 +14,12 @@ namespace kadr::test {
 /// the modes of motions and the position again (the third string); the run without the faulty block has all of them too.
 struct Scene {
   const char* control;
-  std::string before, after, anew = {};
+  std::string before, after, restart = {};
 };
 
 /// Returns what the faulty block has left behind; empty if nothing.
 inline std::string differences(const Scene& scene, const std::string& fault, const kadr::Setup& setup) {
-  const std::string after = scene.anew + scene.after;
+  const std::string after = scene.restart + scene.after;
   const auto plain = run(scene.control, scene.before + after, setup);
   const auto faulty = run(scene.control, scene.before + fault + "\n" + after, setup, OnAlarm::go_on);
   const auto cut = run(scene.control, scene.before, setup);

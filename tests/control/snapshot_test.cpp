@@ -39,7 +39,7 @@ class Runner {
   Runner(const Work& work, bool each_block, const Runner& other, const Snapshot& from) : Runner(work, each_block) {
     plc_ = other.plc_;
     actions_ = other.actions_;
-    told_ = other.told_;
+    reports_ = other.reports_;
     alarms_ = other.alarms_;
     over_ = other.over_;
     restored_ = control_.restore(from).has_value();
@@ -61,7 +61,7 @@ class Runner {
     }
     if (state == Control::State::waiting) control_.release();
     if (control_.is_stopped()) {
-      tell("alarm", control_.report());
+      note_report("alarm", control_.report());
       if (++alarms_ > max_alarms) over_ = true;
       control_.go_on();
     }
@@ -94,17 +94,17 @@ class Runner {
     std::string all(text, size);
     std::free(text);  // NOLINT: of open_memstream
     for (const std::string& line : test::exactly(actions_)) all += line + "\n";
-    return all + told_ + std::to_string(control_.blocks()) + " " + std::to_string(control_.use().all().size());
+    return all + reports_ + std::to_string(control_.blocks()) + " " + std::to_string(control_.use().all().size());
   }
 
  private:
   void listen() {
-    control_.on_warning = [this](const AlarmReport& warning) { tell("warning", warning); };
+    control_.on_warning = [this](const AlarmReport& warning) { note_report("warning", warning); };
     if (!plc_.idle()) control_.on_block = [this](const Origin& origin, bool at_end) { apply(plc_.block(origin, at_end), control_, all_); };
   }
-  void tell(const char* kind, const AlarmReport& report) {
-    told_ += kind + std::string(" ") + std::string(name_of(report.alarm.id)) + " " + std::to_string(report.origin.line) + " " +
-             std::to_string(report.alarm.where.begin) + " " + report.file + " after " + std::to_string(actions_.size()) + "\n";
+  void note_report(const char* kind, const AlarmReport& report) {
+    reports_ += kind + std::string(" ") + std::string(name_of(report.alarm.id)) + " " + std::to_string(report.origin.line) + " " +
+                std::to_string(report.alarm.where.begin) + " " + report.file + " after " + std::to_string(actions_.size()) + "\n";
   }
 
   Control control_;
@@ -113,7 +113,7 @@ class Runner {
   std::array<Control*, 1> all_ = {&control_};
   ActionBatch batch_;
   std::vector<Action> actions_;
-  std::string told_;
+  std::string reports_;
   std::size_t alarms_ = 0;
   bool over_ = false, restored_ = false;
 };

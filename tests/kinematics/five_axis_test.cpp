@@ -175,7 +175,7 @@ TEST(five_axis, near_a_pole_the_free_axis_may_stand) {
   for (const FiveAxis& m : machines()) {
     const RotaryPair present{25, -40};
     const Vec3 wanted = unit(m.direction({30, -37}));
-    const auto kept = m.kept(wanted, present);
+    const auto kept = m.with_one_axis_moved(wanted, present);
     ASSERT_TRUE(kept);
     EXPECT_EQ(kept->first_stays, m.group == MachineGroup::head_head);
     EXPECT_EQ(kept->first_stays ? kept->at.first : kept->at.second, kept->first_stays ? present.first : present.second);

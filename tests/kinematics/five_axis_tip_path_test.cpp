@@ -22,11 +22,11 @@ TEST(direction_way, stays_in_the_plane_of_its_ends) {
   const auto space = c_b_head();
   const RotaryPair start{-135, 26};
   const Vec3 from = direction(space, start), to = direction(space, {-45, 35});
-  const DirectionPath way(*space, start, from, to, std::nullopt);
+  const DirectionPath path(*space, start, from, to, std::nullopt);
   RotaryPair near = start;
   for (int i = 0; i <= 100; ++i) {
     const double part = i / 100.;
-    const auto at = way.rotary(part, near);
+    const auto at = path.rotary(part, near);
     ASSERT_TRUE(at);
     EXPECT_NEAR(dot(cross(from, to), direction(space, *at)), 0, 1e-9);
     EXPECT_LT(std::hypot(at->first - near.first, at->second - near.second), 5);  // the solution stays on one branch: no jump
@@ -40,9 +40,9 @@ TEST(direction_way, goes_through_a_pole_without_whirling) {
   const auto space = c_b_head();
   const RotaryPair start{30, 20};
   const Vec3 from = direction(space, start), to = direction(space, {30, -20});
-  const DirectionPath way(*space, start, from, to, std::nullopt);
+  const DirectionPath path(*space, start, from, to, std::nullopt);
   for (const double part : {0.1, 0.4, 0.49, 0.51, 0.6, 1.0}) {
-    const auto at = way.rotary(part, start);
+    const auto at = path.rotary(part, start);
     ASSERT_TRUE(at);
     EXPECT_NEAR(at->first, 30, 1e-6);
     EXPECT_NEAR(at->second, 20 - 40 * part, 1e-6);
@@ -53,9 +53,9 @@ TEST(direction_way, on_a_cone_turns_with_the_arc) {
   const auto space = c_b_head();
   const RotaryPair start{180, 20};
   const DirectionPath::Cone cone{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 90};
-  const DirectionPath way(*space, start, direction(space, start), direction(space, {270, 20}), cone);
+  const DirectionPath path(*space, start, direction(space, start), direction(space, {270, 20}), cone);
   for (const double part : {0.25, 0.5, 1.0}) {
-    const auto at = way.rotary(part, start);
+    const auto at = path.rotary(part, start);
     ASSERT_TRUE(at);
     EXPECT_NEAR(at->first, 180 + 90 * part, 1e-6);
     EXPECT_NEAR(at->second, 20, 1e-6);

@@ -46,11 +46,11 @@ void expect_near(Vec3 a, Vec3 b, double bound) { EXPECT_LT(length(a - b), bound)
 /// Checks forward, inverse and forward again: the tool must be at the same position, and the axis positions within the limits.
 void moves_backwards(const MachineTree& tree, int times, double nearby) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> beside(-nearby, nearby);
+  std::uniform_real_distribution<double> deviation(-nearby, nearby);
   for (int i = 0; i < times; ++i) {
     const Axes at = anywhere(random);
     Axes near = at;
-    for (double& axis : near) axis += beside(random);
+    for (double& axis : near) axis += deviation(random);
     const Pose pose = tree.forward(at, 80);
     const auto back = tree.inverse(pose, near, 80);
     ASSERT_TRUE(back) << i;

@@ -11,7 +11,8 @@ namespace kadr::tape_orientation_test {
 namespace {
 
 constexpr std::string_view program = "%\nN1 G90 G0 X8000 Y13000\nN2 G1 X5123 Y-9314 F500\nN3 M2\n";
-constexpr TapeOrientation lies[] = {TapeOrientation::right, TapeOrientation::wrong_end, TapeOrientation::wrong_side, TapeOrientation::both};
+constexpr TapeOrientation orientations[] = {TapeOrientation::right, TapeOrientation::wrong_end, TapeOrientation::wrong_side,
+                                            TapeOrientation::both};
 
 TEST(eia, codes_of_the_standard_have_odd_parity) {
   int codes = 0;
@@ -39,11 +40,11 @@ TEST(eia, rows_by_hand) {
 
 TEST(inspect_tape, every_code_and_every_lie) {
   for (const TapeCode code : {TapeCode::iso, TapeCode::eia})
-    for (const TapeOrientation lie : lies) {
-      const auto look = inspect_tape(turned(*encode_tape(program, 50, code), lie));
+    for (const TapeOrientation orientation : orientations) {
+      const auto look = inspect_tape(turned(*encode_tape(program, 50, code), orientation));
       ASSERT_TRUE(look);
       EXPECT_EQ(look->code, code);
-      EXPECT_EQ(look->lie, lie);
+      EXPECT_EQ(look->orientation, orientation);
     }
 }
 
@@ -55,7 +56,7 @@ TEST(inspect_tape, text_is_no_tape) {
 }
 
 RC_GTEST_PROP(turned, twice_is_nothing, (const std::string& rows)) {
-  for (const TapeOrientation lie : lies) RC_ASSERT(turned(turned(rows, lie), lie) == rows);
+  for (const TapeOrientation orientation : orientations) RC_ASSERT(turned(turned(rows, orientation), orientation) == rows);
 }
 
 RC_GTEST_PROP(decode_tape, eia_reads_what_it_wrote, ()) {

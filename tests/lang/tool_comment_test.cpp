@@ -31,22 +31,22 @@ std::vector<std::string> columns_of(const std::string& line) {
 }
 
 /// `*` accepts any reading, `-` requires that nothing is read.
-testing::AssertionResult is_as_told(const char* what, std::optional<double> read, const std::string& told) {
-  const bool same = told == "*" || (told == "-" ? !read : read && std::fabs(*read - std::stod(told)) <= tolerance);
+testing::AssertionResult is_as_expected(const char* what, std::optional<double> read, const std::string& expected) {
+  const bool same = expected == "*" || (expected == "-" ? !read : read && std::fabs(*read - std::stod(expected)) <= tolerance);
   if (same) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << what << " " << (read ? std::to_string(*read) : "-") << ", not " << told;
+  return testing::AssertionFailure() << what << " " << (read ? std::to_string(*read) : "-") << ", not " << expected;
 }
 
 void check_row(const std::vector<std::string>& row, const std::string& place) {
-  const ToolComment said = read_tool_comment(row[1], row[0] == "inch");
+  const ToolComment tool_data = read_tool_comment(row[1], row[0] == "inch");
   const std::string of = place + " (" + row[1] + ")";
-  EXPECT_TRUE(is_as_told("tool", said.tool ? std::optional<double>(*said.tool) : std::nullopt, row[2])) << of;
-  EXPECT_TRUE(is_as_told("diameter", said.diameter, row[3])) << of;
-  EXPECT_TRUE(is_as_told("corner", said.corner, row[4])) << of;
+  EXPECT_TRUE(is_as_expected("tool", tool_data.tool ? std::optional<double>(*tool_data.tool) : std::nullopt, row[2])) << of;
+  EXPECT_TRUE(is_as_expected("diameter", tool_data.diameter, row[3])) << of;
+  EXPECT_TRUE(is_as_expected("corner", tool_data.corner, row[4])) << of;
   if (row[5] != "*") {
-    EXPECT_EQ(name_of(said.kind), row[5]) << of;
+    EXPECT_EQ(name_of(tool_data.kind), row[5]) << of;
   }
-  EXPECT_FALSE(said.unsure && said.diameter) << of;
+  EXPECT_FALSE(tool_data.unsure && tool_data.diameter) << of;
 }
 
 TEST(tool_comment, as_the_table_has_it) {
@@ -96,10 +96,10 @@ TEST(tool_comment, as_written_in_programs) {
       {"T", none, none, none},
   };
   for (const auto& row : rows) {
-    const ToolComment said = read_tool_comment(row.text, false);
-    EXPECT_EQ(said.tool ? double(*said.tool) : none, row.tool) << row.text;
-    EXPECT_EQ(said.diameter.value_or(none), row.diameter) << row.text;
-    EXPECT_EQ(said.corner.value_or(none), row.corner) << row.text;
+    const ToolComment tool_data = read_tool_comment(row.text, false);
+    EXPECT_EQ(tool_data.tool ? double(*tool_data.tool) : none, row.tool) << row.text;
+    EXPECT_EQ(tool_data.diameter.value_or(none), row.diameter) << row.text;
+    EXPECT_EQ(tool_data.corner.value_or(none), row.corner) << row.text;
   }
 }
 
@@ -123,9 +123,9 @@ TEST(tool_comment, kind_and_angle) {
       {"T2", ToolWord::none, none},
   };
   for (const auto& row : rows) {
-    const ToolComment said = read_tool_comment(row.text, false);
-    EXPECT_EQ(said.kind, row.kind) << row.text;
-    EXPECT_EQ(said.angle.value_or(none), row.angle) << row.text;
+    const ToolComment tool_data = read_tool_comment(row.text, false);
+    EXPECT_EQ(tool_data.kind, row.kind) << row.text;
+    EXPECT_EQ(tool_data.angle.value_or(none), row.angle) << row.text;
   }
 }
 
@@ -137,10 +137,10 @@ TEST(tool_comment, inches) {
 }
 
 TEST(tool_comment, of_several_tools_the_first) {
-  const ToolComment said = read_tool_comment("T1 = D16 ENDMILL, T3 = DRILL 6.8", false);
-  EXPECT_EQ(said.tool, 1U);
-  EXPECT_EQ(said.diameter, 16);
-  EXPECT_EQ(said.kind, ToolWord::mill);
+  const ToolComment tool_data = read_tool_comment("T1 = D16 ENDMILL, T3 = DRILL 6.8", false);
+  EXPECT_EQ(tool_data.tool, 1U);
+  EXPECT_EQ(tool_data.diameter, 16);
+  EXPECT_EQ(tool_data.kind, ToolWord::mill);
 }
 
 // Readings that would look right and be wrong; other tables would not show them.

@@ -26,8 +26,8 @@ std::string all_of(ByteSource& source, std::size_t piece) {
   }
 }
 
-std::string read(std::string bytes, const GivenEncoding& said = {}) {
-  const OpenedText text = as_text(text_source(std::move(bytes)), said);
+std::string read(std::string bytes, const GivenEncoding& given = {}) {
+  const OpenedText text = as_text(text_source(std::move(bytes)), given);
   EXPECT_EQ(text.encoding, Encoding::utf8);
   return all_of(*text.source, 1000);
 }
@@ -60,16 +60,16 @@ TEST(utf16, other_texts_are_none) {
 }
 
 TEST(utf16, what_is_said_holds_but_the_mark_is_in_the_file_itself) {
-  GivenEncoding said;
-  ASSERT_TRUE(read_encoding("UTF-16LE", said));
-  EXPECT_EQ(read(bytes_of(u"€€", ByteOrder::little), said), "€€");  // not a program: only the declared encoding reveals it
-  EXPECT_EQ(read(bytes_of(u"\uFEFF€", ByteOrder::big), said), "\xEF\xBB\xBF€");
-  ASSERT_TRUE(read_encoding("utf-16", said));
-  EXPECT_EQ(read(bytes_of(program, ByteOrder::big), said), program_utf8);
-  EXPECT_EQ(read(bytes_of(u"€€", ByteOrder::little), said), "€€");
-  EXPECT_FALSE(read_encoding("utf-17", said));
-  ASSERT_TRUE(read_encoding("cp1251", said));
-  const OpenedText text = as_text(text_source(bytes_of(program, ByteOrder::little)), said);
+  GivenEncoding given;
+  ASSERT_TRUE(read_encoding("UTF-16LE", given));
+  EXPECT_EQ(read(bytes_of(u"€€", ByteOrder::little), given), "€€");  // not a program: only the declared encoding reveals it
+  EXPECT_EQ(read(bytes_of(u"\uFEFF€", ByteOrder::big), given), "\xEF\xBB\xBF€");
+  ASSERT_TRUE(read_encoding("utf-16", given));
+  EXPECT_EQ(read(bytes_of(program, ByteOrder::big), given), program_utf8);
+  EXPECT_EQ(read(bytes_of(u"€€", ByteOrder::little), given), "€€");
+  EXPECT_FALSE(read_encoding("utf-17", given));
+  ASSERT_TRUE(read_encoding("cp1251", given));
+  const OpenedText text = as_text(text_source(bytes_of(program, ByteOrder::little)), given);
   EXPECT_EQ(text.encoding, Encoding::cp1251);
 }
 

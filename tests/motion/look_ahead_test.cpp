@@ -146,11 +146,11 @@ RC_GTEST_PROP(look_ahead, no_axis_changes_its_feed_more_than_it_may, ()) {
     const auto* const m = std::get_if<Motion>(&t.action.what);
     if (m == nullptr) continue;
     RC_ASSERT(t.time.feed_most <= m->feed * (1 + 1e-9));
-    Axes way{};
-    for (std::size_t i = 0; i < 3; ++i) way[i] = (m->to[i] - at[i]) / t.time.length;
-    for (std::size_t i = 0; i < 3; ++i) RC_ASSERT(std::abs(way[i] - before[i]) * before_feed / 60 <= rules.axis_change[i] * (1 + 1e-9));
+    Axes travel{};
+    for (std::size_t i = 0; i < 3; ++i) travel[i] = (m->to[i] - at[i]) / t.time.length;
+    for (std::size_t i = 0; i < 3; ++i) RC_ASSERT(std::abs(travel[i] - before[i]) * before_feed / 60 <= rules.axis_change[i] * (1 + 1e-9));
     before_feed = *t.time.feed_end;
-    before = way;
+    before = travel;
     at = m->to;
   }
 }
@@ -170,8 +170,8 @@ RC_GTEST_PROP(look_ahead, backwards_it_takes_the_same_time, ()) {
     back.push_back(act(straight(feed, points[feeds.size() - 1 - i], feeds[feeds.size() - 1 - i])));
   }
   const double one = seconds(run(there, rules)), other = seconds(run(back, rules));
-  const double way_there = run({back.front()}, rules)[0].time.seconds;
-  RC_ASSERT(std::abs(one - (other - way_there)) < 1e-9 * (1 + one));
+  const double seconds_there = run({back.front()}, rules)[0].time.seconds;
+  RC_ASSERT(std::abs(one - (other - seconds_there)) < 1e-9 * (1 + one));
 }
 
 /// The curvature of short lines (N0402, N0403) depends on their lengths, so both are switched off.

@@ -123,11 +123,11 @@ Recorded recorded(bool in_background, const Look& look) {
 
 TEST(PlannerSideBySide, GivesTheSameBits) {
   const auto nothing = [](Planner&, std::size_t) {};
-  const Recorded alone = recorded(false, nothing), beside = recorded(true, nothing);
+  const Recorded alone = recorded(false, nothing), background = recorded(true, nothing);
   ASSERT_GE(alone.when.size(), 8U);
-  ASSERT_EQ(alone.numbers.size(), beside.numbers.size());
-  EXPECT_EQ(std::memcmp(alone.numbers.data(), beside.numbers.data(), alone.numbers.size() * sizeof(double)), 0);
-  EXPECT_EQ(recorded(true, nothing).when, beside.when);  // the moment of output does not depend on which thread is faster
+  ASSERT_EQ(alone.numbers.size(), background.numbers.size());
+  EXPECT_EQ(std::memcmp(alone.numbers.data(), background.numbers.data(), alone.numbers.size() * sizeof(double)), 0);
+  EXPECT_EQ(recorded(true, nothing).when, background.when);  // the moment of output does not depend on which thread is faster
 }
 
 TEST(PlannerSideBySide, GoesOnFromWhatItRemembers) {

@@ -41,11 +41,12 @@ Bounds bounds(const Machine& machine, const std::vector<Piece>& pieces) {
       squares += (piece.to[a] - from[a]) * (piece.to[a] - from[a]);
       largest = std::max(largest, std::fabs(piece.to[a] - from[a]));
     }
-    const double way = std::sqrt(squares), faster = way / largest;  // speed along the path divided by the speed of the axis that moves most
+    const double path_rate = std::sqrt(squares),
+                 faster = path_rate / largest;  // speed along the path divided by the speed of the axis that moves most
     std::vector<TimeLaw> laws;
-    rest_to_rest(way, {std::min(piece.feed, machine.speed * faster), machine.acceleration * faster, machine.jerk * faster}, laws);
+    rest_to_rest(path_rate, {std::min(piece.feed, machine.speed * faster), machine.acceleration * faster, machine.jerk * faster}, laws);
     for (const TimeLaw& law : laws) sum.longest += law.seconds;
-    sum.shortest += way / piece.feed;
+    sum.shortest += path_rate / piece.feed;
     from = piece.to;
   }
   return sum;

@@ -45,9 +45,9 @@ class Nearest {
  public:
   explicit Nearest(const std::vector<Point>& points) : points_(points) {}
   double operator()(const Point& at) {
-    constexpr std::size_t before = 60, behind = 120;
+    constexpr std::size_t before = 60, after = 120;
     double least = std::numeric_limits<double>::infinity();
-    const std::size_t from = last_ > before ? last_ - before : 0, end = std::min(points_.size() - 1, last_ + behind);
+    const std::size_t from = last_ > before ? last_ - before : 0, end = std::min(points_.size() - 1, last_ + after);
     for (std::size_t i = from; i < end; ++i) {
       double along = 0, squares = 0, off = 0;
       for (std::size_t a = 0; a < 3; ++a) {

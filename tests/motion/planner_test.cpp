@@ -109,8 +109,8 @@ TEST(Planner, AChainOfShortLinesIsNotSlowedByItsCorners) {
     circle.push_back({{radius * std::sin(angle), radius * (1 - std::cos(angle)), 0}, feed, 0.01});
   }
   const PlannedRun run = planned(circle);
-  const double way = 2 * 3.14159265358979323846 * radius;
-  EXPECT_LT(run.seconds, way / feed + 0.12);
+  const double path_length = 2 * 3.14159265358979323846 * radius;
+  EXPECT_LT(run.seconds, path_length / feed + 0.12);
   EXPECT_LE(furthest(run, circle), 0.01);
   expect_within_limits(run);
 }

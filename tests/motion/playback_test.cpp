@@ -88,7 +88,8 @@ double off_plan(const Played& run, const TimedCells& plan) {
   std::vector<Point> places;
   for (std::size_t k = 0; k < plan.laws.size(); ++k) {
     const int count = 1 + static_cast<int>(plan.laws[k].seconds * 1e4);
-    for (int i = 0; i <= count; ++i) plan.position(k, plan.laws[k].way(plan.laws[k].seconds * i / count), places.emplace_back().data());
+    for (int i = 0; i <= count; ++i)
+      plan.position(k, plan.laws[k].distance(plan.laws[k].seconds * i / count), places.emplace_back().data());
   }
   double worst = 0;
   std::size_t near = 0;  // searches forward along the path, never back
@@ -115,7 +116,7 @@ TEST(Playback, WithoutOverrideItGivesThePlanAtEachInstant) {
   for (std::size_t k = 0; k < plan.laws.size(); begins += plan.laws[k++].seconds)
     for (; now() < begins + plan.laws[k].seconds; ++instant) {
       Point at;
-      plan.position(k, plan.laws[k].way(now() - begins), at.data());
+      plan.position(k, plan.laws[k].distance(now() - begins), at.data());
       for (std::size_t a = 0; a < axes; ++a) ASSERT_NEAR(run.points[instant][a], at[a], 1e-9) << instant;
     }
   EXPECT_EQ(run.points.size(), instant + 1);
@@ -235,9 +236,9 @@ TEST(Playback, TheAxesWaitForTheSpindlesAngle) {
     plan.path.insert(plan.path.end(), {from, 1, 0, 0, 0, 0});
     plan.spindle.push_back({angle, rate_of_spindle, 0, awaited, false});
   };
-  const double way = jerk * 0.1 * 0.1 * 0.1 / 6, fast = jerk * 0.1 * 0.1 / 2;  // distance and speed of a ramp of 0.1 s
+  const double distance = jerk * 0.1 * 0.1 * 0.1 / 6, fast = jerk * 0.1 * 0.1 / 2;  // distance and speed of a ramp of 0.1 s
   add(TimeLaw::of_jerk(0.1, 0, 0, jerk / 2), 0, 0, false, true);
-  add(TimeLaw::of_jerk(0.1, fast / 2, jerk * 0.05, -jerk / 2), way / 2, rate_of_spindle * 0.1, false, true);
+  add(TimeLaw::of_jerk(0.1, fast / 2, jerk * 0.05, -jerk / 2), distance / 2, rate_of_spindle * 0.1, false, true);
   add(TimeLaw::of_jerk(waits, 0, 0, 0), 10, rate_of_spindle * 0.2, true, false);
   add(TimeLaw::of_jerk(0.2, 50, 0, 0), 10, rate_of_spindle * (0.2 + waits), false, false);
   for (const double share : {1.0, 0.9, 0.41, 0.05}) {

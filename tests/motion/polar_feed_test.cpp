@@ -66,9 +66,9 @@ RC_GTEST_PROP(polar_feed, no_axis_is_too_fast_and_one_limit_holds, ()) {
   const Curve curve = p.curve();
   const PolarFeed limits{1.0 * choose.between(10, 5'000), 1.0 * choose.between(10, 5'000)};
   const double part = choose.between(0, 100) / 100.0, feed = feed_at(curve, limits, part);
-  const double way = curve.rate(FeedAlong::path, part);
-  RC_PRE(way > 0.01);
-  const double rotary = std::abs(curve.rates(part)[1]) * feed / way;
+  const double rate = curve.rate(FeedAlong::path, part);
+  RC_PRE(rate > 0.01);
+  const double rotary = std::abs(curve.rates(part)[1]) * feed / rate;
   RC_ASSERT(feed <= limits.feed * (1 + 1e-12));
   RC_ASSERT(rotary <= limits.max_rotary_speed * (1 + 1e-9));
   RC_ASSERT(feed >= limits.feed * (1 - 1e-9) || rotary >= limits.max_rotary_speed * (1 - 1e-9));

@@ -32,9 +32,9 @@ TEST(spindle_clock, a_new_speed_counts_from_what_is_planned_behind_it) {
   clock.take(act(Speed{300, false}));
   clock.take(act(Speed{120, false}));
   EXPECT_EQ(clock.turn(before, still(1)).per_second, 360);
-  const SpindleTurn behind = clock.turn(clock.per_second(), still(1));
-  EXPECT_EQ(behind.per_second, 720);
-  EXPECT_EQ(behind.angle, 360);
+  const SpindleTurn after = clock.turn(clock.per_second(), still(1));
+  EXPECT_EQ(after.per_second, 720);
+  EXPECT_EQ(after.angle, 360);
 }
 
 // 4.4: waits for the zero pulse, then for the angle Q; the ramp begins after the pulse.
@@ -70,10 +70,10 @@ TEST(spindle_clock, another_one_leads) {
   clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
   clock.take(act(Spindle{SpindleDir::ccw, 120, 2, {}, {}}));
   EXPECT_EQ(clock.turn(clock.per_second(), still(1)).angle, 0);
-  clock.lead(2);
+  clock.select_leading(2);
   EXPECT_EQ(clock.per_second(), -720);
   EXPECT_EQ(clock.turn(clock.per_second(), still(1)).angle, -720);
-  clock.lead(1);
+  clock.select_leading(1);
   EXPECT_EQ(clock.turn(clock.per_second(), still(1)).angle, 720);
 }
 

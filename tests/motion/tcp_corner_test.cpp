@@ -30,23 +30,23 @@ Vec3 tip_of(const Axes& work) { return {work[0], work[1], work[2]}; }
 
 struct Corner {
   std::array<Axes, 3> work, machine;
-  TcpPiece before, behind;
+  TcpPiece before, after;
 };
 
 Corner corner(const FiveAxisTransform& space, const std::array<Axes, 3>& work) {
   Corner c{work, {}, {}, {}};
   for (std::size_t i = 0; i < 3; ++i) c.machine[i] = space.machine_of(work[i], work[i]);
   c.before = tcp_piece(5, c.machine[0], c.machine[1], tip_of(work[0]), tip_of(work[1]), 10);
-  c.behind = tcp_piece(5, c.machine[1], c.machine[2], tip_of(work[1]), tip_of(work[2]), 10);
+  c.after = tcp_piece(5, c.machine[1], c.machine[2], tip_of(work[1]), tip_of(work[2]), 10);
   return c;
 }
 
 /// Returns the axis positions at the corner, moved into its inside by `by`.
 Axes rounded(const Corner& c, double by) {
   double turn = 0;
-  for (std::size_t a = 0; a < 5; ++a) turn += std::pow(c.behind.along[a] - c.before.along[a], 2);
+  for (std::size_t a = 0; a < 5; ++a) turn += std::pow(c.after.along[a] - c.before.along[a], 2);
   Axes at = c.machine[1];
-  for (std::size_t a = 0; a < 5; ++a) at[a] += by * (c.behind.along[a] - c.before.along[a]) / std::sqrt(turn);
+  for (std::size_t a = 0; a < 5; ++a) at[a] += by * (c.after.along[a] - c.before.along[a]) / std::sqrt(turn);
   return at;
 }
 
@@ -55,7 +55,7 @@ struct Off {
 };
 
 /// Returns the deviation from the nearest point of the programmed path, found in small steps, and from the direction programmed there.
-Off off_way(const FiveAxisTransform& space, const Corner& c, const Pose& pose) {
+Off off_path(const FiveAxisTransform& space, const Corner& c, const Pose& pose) {
   Off off;
   for (std::size_t piece = 0; piece < 2; ++piece)
     for (int step = 0; step <= 2000; ++step) {
@@ -83,9 +83,9 @@ TEST(tcp_corner, tip_and_direction_stay_within) {
       work[i][3] += 0.5 * any(random), work[i][4] += 0.5 * any(random);
     }
     const Corner c = corner(space, work);
-    const double by = tcp_tolerance(c.before, c.behind, tolerance, rotary);
+    const double by = tcp_tolerance(c.before, c.after, tolerance, rotary);
     ASSERT_GT(by, 0);
-    const Off off = off_way(space, c, space.pose(rounded(c, by)));
+    const Off off = off_path(space, c, space.pose(rounded(c, by)));
     EXPECT_LE(off.tip, 1.1 * tolerance) << n;
     EXPECT_LE(off.direction, 0.012) << n;
   }
@@ -99,7 +99,7 @@ TEST(tcp_corner, what_the_tip_does_not_feel_may_be_rounded_more) {
   work[1] = {1, 0, 0, 0, 30};
   work[2] = {2, 0, 0, 0, 30.05};
   const Corner c = corner(space, work);
-  EXPECT_GT(tcp_tolerance(c.before, c.behind, tolerance, rotary), 1.5 * tolerance);  // here the direction limits the rounding
+  EXPECT_GT(tcp_tolerance(c.before, c.after, tolerance, rotary), 1.5 * tolerance);  // here the direction limits the rounding
 }
 
 /// If the rotary axes do not move, it is an ordinary corner.
@@ -110,8 +110,8 @@ TEST(tcp_corner, of_the_tip_alone_is_its_tolerance) {
   work[1] = {1, 0, 0, 10, 30};
   work[2] = {1, 1, 0, 10, 30};
   const Corner c = corner(space, work);
-  EXPECT_NEAR(tcp_tolerance(c.before, c.behind, tolerance, rotary), tolerance, 1e-9);
-  EXPECT_TRUE(c.behind.keeps_pace(c.before));
+  EXPECT_NEAR(tcp_tolerance(c.before, c.after, tolerance, rotary), tolerance, 1e-9);
+  EXPECT_TRUE(c.after.keeps_pace(c.before));
 }
 
 TEST(tcp_corner, pieces_of_no_length_are_not_known) {

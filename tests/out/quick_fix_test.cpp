@@ -88,8 +88,8 @@ TEST(QuickFix, WritesAForgottenPoint) {
 }
 
 TEST(QuickFix, TurnsAnArcRound) {
-  const std::string before = "G21 G90 G94 G54\nG0 X0 Y0 Z5\nG1 Z-2 F100\nG1 X50\n", behind = "G1 Y50\nG0 Z5\nM30\n";
-  EXPECT_EQ(mended_in("mach3", before + "G2 X60 Y10 R10\n" + behind, AlarmId::arc_against_neighbours), "G3 X60 Y10 R10");
+  const std::string before = "G21 G90 G94 G54\nG0 X0 Y0 Z5\nG1 Z-2 F100\nG1 X50\n", after = "G1 Y50\nG0 Z5\nM30\n";
+  EXPECT_EQ(mended_in("mach3", before + "G2 X60 Y10 R10\n" + after, AlarmId::arc_against_neighbours), "G3 X60 Y10 R10");
 }
 
 TEST(QuickFix, ThereIsNoneWhereNothingIsCertain) {

@@ -20,10 +20,10 @@ TimedCells even(std::size_t count, double seconds) {
   TimedCells cells;
   cells.axes = 1;
   for (std::size_t k = 0; k < count; ++k) {
-    const double way = speed * seconds;
-    cells.laws.push_back({seconds, way, true, speed, 0, 0});
+    const double travel = speed * seconds;
+    cells.laws.push_back({seconds, travel, true, speed, 0, 0});
     cells.sources.emplace_back();
-    cells.path.insert(cells.path.end(), {static_cast<double>(k) * way, 1, 0, 0, 0, 0});
+    cells.path.insert(cells.path.end(), {static_cast<double>(k) * travel, 1, 0, 0, 0, 0});
   }
   return cells;
 }

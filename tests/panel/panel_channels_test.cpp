@@ -197,22 +197,22 @@ PanelSearch::Answer found(const APanel& panel, const PanelSearch::SearchRequest&
 }
 
 /// Returns the paths of the sheets; the own channel is first.
-std::vector<PanelPath> ways_to(const APanel& panel, const std::shared_ptr<const RestartPoint>& place) {
+std::vector<PanelPath> paths_to(const APanel& panel, const std::shared_ptr<const RestartPoint>& place) {
   const auto sheets = panel->sheets(place, {.clearance = 30, .above = 2, .feed = 6000});
   EXPECT_TRUE(sheets) << sheets.error();
-  std::vector<PanelPath> ways;
+  std::vector<PanelPath> paths;
   for (std::size_t i = 0; sheets && i < sheets->size(); ++i)
-    ways.push_back({i == 0 ? panel->own() : place->beside[i - 1].channel, (*sheets)[i].way});
-  return ways;
+    paths.push_back({i == 0 ? panel->own() : place->other_channels[i - 1].channel, (*sheets)[i].path});
+  return paths;
 }
 
 void go_to(const APanel& panel, const PanelSearch::SearchRequest& request, const std::set<std::string>& left = {}) {
   const auto place = found(panel, request).place;
   ASSERT_TRUE(place);
-  const auto went = panel->go_there(place, left, ways_to(panel, place));
+  const auto went = panel->go_there(place, left, paths_to(panel, place));
   ASSERT_TRUE(went) << went.error();
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && !s.goes_there; }));
-  ASSERT_EQ(panel->state().why, "restart") << panel->state().told;
+  ASSERT_EQ(panel->state().why, "restart") << panel->state().message;
 }
 
 /// The restart is in mid program, where the other channel moves too: each channel is led to where the program would have had it.
@@ -220,8 +220,8 @@ TEST(PanelChannels, GoOnInMidProgramTogether) {
   const APanel panel = two_channels(first, second);
   const auto place = found(panel, {.target = {.line = 4}}).place;
   ASSERT_TRUE(place);
-  ASSERT_EQ(place->beside.size(), 1u);
-  const OtherChannelState& other = place->beside.front();
+  ASSERT_EQ(place->other_channels.size(), 1u);
+  const OtherChannelState& other = place->other_channels.front();
   EXPECT_EQ(other.number, 2);
   EXPECT_EQ(other.line.number, 4u) << "both have met at M501";
   EXPECT_NEAR(other.restart.stand.machine[1], 50, 1e-9);
@@ -251,9 +251,9 @@ TEST(PanelChannels, GoOnWhileTheOtherWaits) {
   const char* const other = "G21 G90 G94\nG1 Z5 F6000\nM501 P12\nZ0\nM30\n";
   const APanel panel = two_channels(own, other);
   const auto place = found(panel, {.target = {.line = 4}}).place;
-  ASSERT_TRUE(place && place->beside.front().waits);
-  EXPECT_EQ(place->beside.front().waits->code, 501u);
-  EXPECT_EQ(place->beside.front().line.number, 3u);
+  ASSERT_TRUE(place && place->other_channels.front().waits);
+  EXPECT_EQ(place->other_channels.front().waits->code, 501u);
+  EXPECT_EQ(place->other_channels.front().line.number, 3u);
   go_to(panel, {.target = {.line = 4}});
   EXPECT_NEAR(axis(panel->state(), 1, 1), 5, 1e-9);
   bool waited = false, in_order = true;
@@ -302,12 +302,12 @@ TEST(PanelChannels, EachHasASheetOfItsOwn) {
   ASSERT_EQ(sheets->size(), 2u);
   const auto tool = [](const PanelSheet& sheet) {
     for (const PanelSheet::Row& row : sheet.rows)
-      if (row.wanted && row.wanted->kind == InForce::Kind::tool) return row;
+      if (row.required && row.required->kind == InForce::Kind::tool) return row;
     return PanelSheet::Row{};
   };
-  ASSERT_TRUE(tool((*sheets)[0]).wanted && tool((*sheets)[1]).wanted);
-  EXPECT_EQ(tool((*sheets)[0]).wanted->value, 3);
-  EXPECT_EQ(tool((*sheets)[1]).wanted->value, 7);
+  ASSERT_TRUE(tool((*sheets)[0]).required && tool((*sheets)[1]).required);
+  EXPECT_EQ(tool((*sheets)[0]).required->value, 3);
+  EXPECT_EQ(tool((*sheets)[1]).required->value, 7);
   EXPECT_EQ(tool((*sheets)[1]).by, PanelSheet::By::line);
   std::vector<std::pair<std::string, double>> changes;  // of the machine, in their order
   std::mutex lock;
@@ -332,12 +332,12 @@ TEST(PanelChannels, WaysMustEndWhereEachChannelBegins) {
   const APanel panel = two_channels(first, second);
   const auto place = found(panel, {.target = {.line = 4}}).place;
   ASSERT_TRUE(place);
-  auto ways = ways_to(panel, place);
-  EXPECT_FALSE(panel->go_there(place, {}, {ways[0]})) << "the other does not stand there";
-  EXPECT_FALSE(panel->go_there(place, {}, {ways[0], ways[0]}));
-  std::swap(ways[0], ways[1]);  // the other channel is led first
+  auto paths = paths_to(panel, place);
+  EXPECT_FALSE(panel->go_there(place, {}, {paths[0]})) << "the other does not stand there";
+  EXPECT_FALSE(panel->go_there(place, {}, {paths[0], paths[0]}));
+  std::swap(paths[0], paths[1]);  // the other channel is led first
   bool other_first = true;
-  ASSERT_TRUE(panel->go_there(place, {}, ways));
+  ASSERT_TRUE(panel->go_there(place, {}, paths));
   ASSERT_TRUE(panel.until([&](const PanelState& s) {
     other_first = other_first && (axis(s, 0, 0) <= 1e-9 || std::fabs(axis(s, 1, 1) - 50) < 1e-3);
     return s.mode == PanelMode::standing && !s.goes_there;
@@ -367,7 +367,7 @@ TEST(PanelChannels, TablesAreTakenOverInMidProgram) {
   const auto taken = panel->take_tables();
   ASSERT_TRUE(taken) << taken.error();
   ASSERT_TRUE(panel.until([](const PanelState& s) { return !s.takes_tables; }));
-  EXPECT_TRUE(panel->state().told.empty()) << panel->state().told;
+  EXPECT_TRUE(panel->state().message.empty()) << panel->state().message;
   EXPECT_NEAR(axis(panel->state(), 0, 0), 10, 1e-9);
   EXPECT_NEAR(axis(panel->state(), 1, 1), 50, 1e-9);
   EXPECT_NEAR(panel->state().block.work_of(panel->state().sample.machine)[0], -90, 1e-9);

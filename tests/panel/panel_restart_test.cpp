@@ -38,14 +38,14 @@ std::optional<PanelSheet> sheet_at(const APanel& panel, const PanelSearch::Searc
 void go_to(const APanel& panel, const PanelSearch::SearchRequest& request, const std::set<std::string>& left = {}) {
   const auto sheet = sheet_at(panel, request);
   ASSERT_TRUE(sheet);
-  const auto went = panel->go_there(found(panel, request).place, left, {{0, sheet->way}});
+  const auto went = panel->go_there(found(panel, request).place, left, {{0, sheet->path}});
   ASSERT_TRUE(went) << went.error();
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && !s.goes_there; }));
 }
 
 const PanelSheet::Row* row(const PanelSheet& sheet, const std::string& key) {
   for (const PanelSheet::Row& one : sheet.rows)
-    if (key_of(one.wanted ? *one.wanted : *one.now) == key) return &one;
+    if (key_of(one.required ? *one.required : *one.now) == key) return &one;
   return nullptr;
 }
 
@@ -74,21 +74,21 @@ TEST(PanelRestart, TheSheetTellsWhatIsOtherwise) {
   const APanel panel(program);
   const auto sheet = sheet_at(panel, {.target = {.line = 9}});
   ASSERT_TRUE(sheet);
-  EXPECT_EQ(row(*sheet, "tool:")->wanted->value, 5);
+  EXPECT_EQ(row(*sheet, "tool:")->required->value, 5);
   EXPECT_EQ(row(*sheet, "tool:")->now->value, 0);
   EXPECT_EQ(row(*sheet, "tool:")->by, PanelSheet::By::line);
   EXPECT_FALSE(row(*sheet, "tool:")->may_be_left) << "no line says that none is in the spindle";
   EXPECT_TRUE(row(*sheet, "spindle:")->may_be_left);
-  EXPECT_EQ(row(*sheet, "spindle:")->wanted->code, "M3");
-  EXPECT_EQ(row(*sheet, "machine:X")->wanted->value, 30);
-  EXPECT_EQ(row(*sheet, "machine:X")->by, PanelSheet::By::way);
+  EXPECT_EQ(row(*sheet, "spindle:")->required->code, "M3");
+  EXPECT_EQ(row(*sheet, "machine:X")->required->value, 30);
+  EXPECT_EQ(row(*sheet, "machine:X")->by, PanelSheet::By::path);
   EXPECT_FALSE(row(*sheet, "machine:X")->may_be_left);
   EXPECT_EQ(row(*sheet, "variable:#100")->by, PanelSheet::By::memory);
   EXPECT_EQ(row(*sheet, "origin:X")->by, PanelSheet::By::nothing);
-  ASSERT_EQ(sheet->way.size(), 4u);
-  EXPECT_EQ(sheet->way.front().machine[2], 30);
-  EXPECT_EQ(sheet->way[2].machine[2], -1);
-  EXPECT_FALSE(sheet->way[3].rapid);
+  ASSERT_EQ(sheet->path.size(), 4u);
+  EXPECT_EQ(sheet->path.front().machine[2], 30);
+  EXPECT_EQ(sheet->path[2].machine[2], -1);
+  EXPECT_FALSE(sheet->path[3].rapid);
 }
 
 TEST(PanelRestart, GoesOnAsIfItHadRun) {
@@ -132,12 +132,12 @@ TEST(PanelRestart, AWayThatEndsElsewhereOrOutsideIsRefused) {
   ASSERT_TRUE(place);
   EXPECT_FALSE(panel->go_there(place, {}, {}));
   const auto sheet = sheet_at(panel, {.target = {.line = 9}});
-  auto way = sheet->way;
-  way[0].machine[2] = 501;
-  EXPECT_FALSE(panel->go_there(place, {}, {{0, way}})) << "beyond the end of the axis";
-  way = sheet->way;
-  way.back().feed = 0;
-  EXPECT_FALSE(panel->go_there(place, {}, {{0, way}}));
+  auto path = sheet->path;
+  path[0].machine[2] = 501;
+  EXPECT_FALSE(panel->go_there(place, {}, {{0, path}})) << "beyond the end of the axis";
+  path = sheet->path;
+  path.back().feed = 0;
+  EXPECT_FALSE(panel->go_there(place, {}, {{0, path}}));
   EXPECT_EQ(panel->state().mode, PanelMode::standing);
 }
 
@@ -166,9 +166,9 @@ TEST(PanelRestart, APlaceByItsNumberInTheRun) {
 TEST(PanelRestart, AStopOnTheWayThereIsObeyed) {
   const APanel panel(program);
   const auto sheet = sheet_at(panel, {.target = {.line = 9}});
-  auto way = sheet->way;
-  for (WayPoint& point : way) point.rapid = false, point.feed = 600;
-  ASSERT_TRUE(panel->go_there(found(panel, {.target = {.line = 9}}).place, {}, {{0, way}}));
+  auto path = sheet->path;
+  for (WayPoint& point : path) point.rapid = false, point.feed = 600;
+  ASSERT_TRUE(panel->go_there(found(panel, {.target = {.line = 9}}).place, {}, {{0, path}}));
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.sample.machine[2] > 2; }));
   ASSERT_TRUE(panel->hold());
   ASSERT_TRUE(panel.stands(PanelMode::held));

@@ -54,7 +54,7 @@ TEST(PanelTables, TablesThatLeadElsewhereAreTold) {
   panel.edit([](kadr::Setup& tables) { tables.variables["#100"] = 2; });
   ASSERT_TRUE(panel->take_tables());
   ASSERT_TRUE(panel.until([](const PanelState& s) { return !s.takes_tables; }));
-  EXPECT_FALSE(panel->state().told.empty());
+  EXPECT_FALSE(panel->state().message.empty());
   expect_at(panel, {0, 1, 0});
 }
 
@@ -134,7 +134,7 @@ TEST(PanelTables, WhatALineByHandChangesIsTold) {
     ASSERT_TRUE(panel.until([=](const PanelState& s) { return s.mode == PanelMode::standing && s.can_undo == count; }));
   };
   enter("G10 L1 P2 R4", 1);
-  EXPECT_EQ(panel->state().told, "the disk is full");
+  EXPECT_EQ(panel->state().message, "the disk is full");
   enter("G0 X2", 2);
   ASSERT_EQ(changes.size(), 1u);
   EXPECT_EQ(changes[0].first.offsets.at(2).radius, 3);
@@ -176,8 +176,8 @@ TEST(PanelTables, VariablesTellTheLineThatSetThem) {
 TEST(PanelQuestions, AProgramWaitsForItsAnswer) {
   const APanel panel("G21 G90\n#3107=200(GO ON? YES NO)\n#100=#3107\nIF[#100EQ3] GOTO 9\nG0 X10\nM30\nN9 G0 Y10\nM30\n", "nct");
   ASSERT_TRUE(panel->run());
-  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.asks; })) << panel->state().told;
-  EXPECT_FALSE(panel->state().told.empty());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.asks; })) << panel->state().message;
+  EXPECT_FALSE(panel->state().message.empty());
   EXPECT_FALSE(panel->run()) << "it waits for an answer";
   EXPECT_FALSE(panel->answer(4));
   ASSERT_TRUE(panel->answer(3));
@@ -254,9 +254,9 @@ TEST(PanelKeeping, EachBlockAndEachEvent) {
     ASSERT_TRUE(panel->enter("G0 Z1"));  // a line by hand is not counted
     ASSERT_TRUE(panel.until([](const PanelState& s) { return s.can_undo == 1 && s.mode == PanelMode::standing; }));
     ASSERT_TRUE(panel->run());
-    ASSERT_TRUE(panel.until([](const PanelState& s) { return !s.not_kept.empty(); }));
+    ASSERT_TRUE(panel.until([](const PanelState& s) { return !s.save_fault.empty(); }));
     ASSERT_TRUE(stands_at(panel, 5));
-    EXPECT_TRUE(panel->state().not_kept.empty()) << "it is kept again";
+    EXPECT_TRUE(panel->state().save_fault.empty()) << "it is kept again";
     ASSERT_TRUE(panel->run());
     ASSERT_TRUE(panel.stands(PanelMode::ended));
   }

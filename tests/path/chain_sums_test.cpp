@@ -70,7 +70,7 @@ RC_GTEST_PROP(ChainSumsProperty, AreTheSumOfTheCorners, ()) {
   ChainSums sums(axes);
   const double width = *rc::gen::inRange(50, 2000) * 1e-3;
   for (double s = 0; s < chain.at.back(); s += chain.at.back() / 37) {
-    std::vector<double> way(axes, 0), x(axes, 0), x1(axes, 0), x2(axes, 0), g(axes, 0), g1(axes, 0), g2(axes, 0);
+    std::vector<double> shift(axes, 0), x(axes, 0), x1(axes, 0), x2(axes, 0), g(axes, 0), g1(axes, 0), g2(axes, 0);
     for (std::size_t i = 1; i < chain.at.size(); ++i) {
       if (chain.is_chained[i] == 0 || std::fabs(s - chain.at[i]) >= width) continue;
       const Plain plain = gentle((s - chain.at[i]) / width);
@@ -79,10 +79,10 @@ RC_GTEST_PROP(ChainSumsProperty, AreTheSumOfTheCorners, ()) {
         g[a] += bend * width * plain.g, g1[a] += bend * plain.slope, g2[a] += bend * plain.pulse / width;
       }
     }
-    sums.move(chain.corners(), s, width, way.data());
+    sums.move(chain.corners(), s, width, shift.data());
     sums.move(chain.corners(), s, {width, 0, 0}, x.data(), x1.data(), x2.data());
     for (std::size_t a = 0; a < axes; ++a) {
-      RC_ASSERT(std::fabs(way[a] - g[a]) < 1e-9);
+      RC_ASSERT(std::fabs(shift[a] - g[a]) < 1e-9);
       RC_ASSERT(std::fabs(x[a] - g[a]) < 1e-9);
       RC_ASSERT(std::fabs(x1[a] - g1[a]) < 1e-9);
       RC_ASSERT(std::fabs(x2[a] - g2[a]) < 1e-8);
@@ -105,9 +105,9 @@ TEST(ChainSums, DerivativesWithAWidthThatChanges) {
   };
   constexpr double h = 1e-5;
   for (double s = 1; s < 6.5; s += 0.0937) {
-    const auto before = at(s - h), here = at(s), behind = at(s + h);
-    EXPECT_NEAR((behind[0] - before[0]) / (2 * h), here[1], 1e-7);
-    EXPECT_NEAR((behind[1] - before[1]) / (2 * h), here[2], 1e-4);
+    const auto before = at(s - h), here = at(s), after = at(s + h);
+    EXPECT_NEAR((after[0] - before[0]) / (2 * h), here[1], 1e-7);
+    EXPECT_NEAR((after[1] - before[1]) / (2 * h), here[2], 1e-4);
   }
 }
 

@@ -107,23 +107,23 @@ class ContourMaker {
     const Side &first = c.loop.front(), &last = c.loop.back();
     const bool over = in_middle && below(2) == 0;  // the path continues beyond the beginning of the loop
     if (over) path.push_back(first.piece(0, number(0.1, 0.5)));
-    const Vec2 begin = first.from, ahead = first.tangent(0), end = path.back().to, behind = path.back().tangent(1);
+    const Vec2 begin = first.from, ahead = first.tangent(0), end = path.back().to, end_tangent = path.back().tangent(1);
     const double run = c.tool + number(2, 12);
     switch (entry) {
       case Entry::arc: {
         const double radius = c.tool + number(1, 8), turns = side_ * number(0.1, 0.3);
-        const Vec2 in_center = begin + side_ * radius * left_of(ahead), out_center = end + side_ * radius * left_of(behind);
+        const Vec2 in_center = begin + side_ * radius * left_of(ahead), out_center = end + side_ * radius * left_of(end_tangent);
         path.insert(path.begin(), {in_center + rotated(begin - in_center, -360 * turns), begin, turns});
         path.push_back({end, out_center + rotated(end - out_center, 360 * turns), turns});
         break;
       }
       case Entry::perpendicular:
         path.insert(path.begin(), {begin + side_ * run * left_of(ahead), begin});
-        path.push_back({end, end + side_ * run * left_of(behind)});
+        path.push_back({end, end + side_ * run * left_of(end_tangent)});
         break;
       case Entry::extension:
         if (first.turns == 0) path.insert(path.begin(), {begin - run * ahead, begin});
-        if (last.turns == 0) path.push_back({end, end + run * behind});
+        if (last.turns == 0) path.push_back({end, end + run * end_tangent});
         if (first.turns == 0 && below(2) == 0) path[0].to = path[1].to, path.erase(path.begin() + 1);  // joins them into one block
         break;
       default: break;
@@ -155,7 +155,7 @@ class ContourMaker {
 
 struct WatchedRun {
   bool alarm = false;
-  double told = 0;           // reported depth of the cut, mm
+  double reported = 0;       // reported depth of the cut, mm
   std::vector<Motion> path;  // path of the tool's centre …
   std::vector<bool> along;   // … and for each motion whether it follows the contour, unlike approach and departure
 };
@@ -185,7 +185,7 @@ inline WatchedRun carried_out(ClosedContour contour, Style style) {
       run.path.push_back(*m);
       run.along.push_back(a.origin.line > 1 && a.origin.line < count);
     }
-    for (const CompensationFault& w : compensation.warnings()) run.told = std::max(run.told, w.alarm.args[0].number());
+    for (const CompensationFault& w : compensation.warnings()) run.reported = std::max(run.reported, w.alarm.args[0].number());
   }
   return run;
 }
@@ -194,8 +194,8 @@ inline WatchedRun carried_out(ClosedContour contour, Style style) {
 inline double away(Vec2 p, const Side& s) {
   double least = std::min(length(p - s.from), length(p - s.to));
   if (s.turns == 0) {
-    const Vec2 way = s.to - s.from;
-    return length(p - s.from - std::clamp(dot(p - s.from, way) / dot(way, way), 0.0, 1.0) * way);
+    const Vec2 delta = s.to - s.from;
+    return length(p - s.from - std::clamp(dot(p - s.from, delta) / dot(delta, delta), 0.0, 1.0) * delta);
   }
   const Vec2 start = s.from - s.center(), arm = p - s.center();
   const double swept = angle_deg({dot(start, arm), (s.turns < 0 ? -1 : 1) * cross(start, arm)});

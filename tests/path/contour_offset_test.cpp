@@ -157,13 +157,13 @@ RC_GTEST_PROP(contour_offset, turned_or_reversed_the_vectors_follow, ()) {
 RC_GTEST_PROP(contour_offset, the_way_onto_a_contour_touches_its_line, ()) {
   const auto any = [](int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000) / 1000.0; };
   const double side = *rc::gen::element(1.0, -1.0), radius = any(1, 5);
-  const Vec2 way = rotated(Vec2{radius + any(1, 50), 0}, any(0, 360));
-  const auto along = entry_direction(way, radius, side);
+  const Vec2 travel = rotated(Vec2{radius + any(1, 50), 0}, any(0, 360));
+  const auto along = entry_direction(travel, radius, side);
   RC_ASSERT(along.has_value());
   RC_ASSERT(std::fabs(length(*along) - 1) < tol::same_point);
-  const Vec2 end = way + radius * side_normal(*along, side);
+  const Vec2 end = travel + radius * side_normal(*along, side);
   RC_ASSERT(std::fabs(cross(end, *along)) < tol::same_point);  // the path goes straight to the point …
-  RC_ASSERT(side * cross(*along, way) < 0);                    // … with the point on its other side
+  RC_ASSERT(side * cross(*along, travel) < 0);                 // … with the point on its other side
 }
 
 TEST(contour_offset, no_way_onto_a_contour_within_the_tool) {

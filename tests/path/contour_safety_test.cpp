@@ -54,7 +54,7 @@ CompensationCheck any_check() {
 struct Outcome {
   std::vector<Action> path;
   std::optional<AlarmId> alarm;
-  double told = 0;  // reported depth of the cut, mm
+  double reported = 0;  // reported depth of the cut, mm
 };
 
 Outcome carried_out(const Contour& contour, const CompensationCheck& check) {
@@ -67,7 +67,7 @@ Outcome carried_out(const Contour& contour, const CompensationCheck& check) {
     const auto fault = compensation.take(batch, i == contour.motions.size());
     if (fault) outcome.alarm = fault->alarm.id;
     for (const Action& action : batch) outcome.path.push_back(action);
-    for (const CompensationFault& w : compensation.warnings()) outcome.told = std::max(outcome.told, w.alarm.args[0].number());
+    for (const CompensationFault& w : compensation.warnings()) outcome.reported = std::max(outcome.reported, w.alarm.args[0].number());
   }
   return outcome;
 }
@@ -122,7 +122,7 @@ std::string shown(const Contour& contour, const Outcome& outcome) {
     if (is_arc(m.kind)) text << " center " << m.center.x << ' ' << m.center.y << " turns " << m.turns;
     text << '\n';
   };
-  text << "told " << outcome.told << " nearest " << nearest(contour, outcome) << "\nprogrammed, side "
+  text << "told " << outcome.reported << " nearest " << nearest(contour, outcome) << "\nprogrammed, side "
        << static_cast<int>(contour.motions.front().side) << '\n';
   for (std::size_t i = 0; i < contour.motions.size(); ++i) show(static_cast<std::uint32_t>(i + 1), contour.motions[i]);
   text << "path\n";
@@ -135,42 +135,42 @@ RC_GTEST_PROP(contour_safety, what_is_not_told_does_not_cut, ()) {
   const Contour contour = any_contour(*rc::gen::element<std::int8_t>(1, -1));
   const Outcome outcome = carried_out(contour, any_check());
   RC_CLASSIFY(outcome.alarm.has_value(), "alarm");
-  RC_CLASSIFY(!outcome.alarm && outcome.told == 0, "whole");
+  RC_CLASSIFY(!outcome.alarm && outcome.reported == 0, "whole");
   if (outcome.alarm) return;  // a cut before the alarm may become known only together with it
-  if (outcome.told == 0 && nearest(contour, outcome) < tool - 2 * tol::same_point) RC_FAIL(shown(contour, outcome));
+  if (outcome.reported == 0 && nearest(contour, outcome) < tool - 2 * tol::same_point) RC_FAIL(shown(contour, outcome));
 }
 
 RC_GTEST_PROP(contour_safety, what_is_told_is_true, ()) {
   const Contour contour = any_contour(*rc::gen::element<std::int8_t>(1, -1));
   const Outcome outcome = carried_out(contour, any_check());
-  RC_PRE(!outcome.alarm && outcome.told > 0);
-  if (nearest(contour, outcome) > tool - outcome.told + test::sampling) RC_FAIL(shown(contour, outcome));
-  if (nearest(contour, outcome) < tool - outcome.told - 2 * tol::same_point) RC_FAIL(shown(contour, outcome));
+  RC_PRE(!outcome.alarm && outcome.reported > 0);
+  if (nearest(contour, outcome) > tool - outcome.reported + test::sampling) RC_FAIL(shown(contour, outcome));
+  if (nearest(contour, outcome) < tool - outcome.reported - 2 * tol::same_point) RC_FAIL(shown(contour, outcome));
 }
 
 /// Returns the cut reported for a straight contour of six lines after `change` has modified its motions.
 template <class Change>
-double told_of_a_line(const Change& change) {
+double reported_for_line(const Change& change) {
   Contour c;
   c.line(20, 1, tool).side_step = SideStep::begins;
   for (int i = 0; i < 6; ++i) c.line(20, 1, tool);
   c.line(20, 0, tool).side_step = SideStep::ends;
   change(c.motions);
-  return carried_out(c, {}).told;
+  return carried_out(c, {}).reported;
 }
 
 TEST(contour_safety, what_leaves_the_contour_on_purpose_is_not_told) {
   using Motions = std::vector<Motion>;
-  EXPECT_EQ(told_of_a_line([](Motions&) {}), 0);
-  EXPECT_EQ(told_of_a_line([](Motions& m) { m[3].tool_radius = m[4].tool_radius = 0; }), 0);  // D0 … D1
-  EXPECT_EQ(told_of_a_line([](Motions& m) { m[3].tool_radius = tool / 2; }), 0);
-  EXPECT_EQ(told_of_a_line([](Motions& m) { m[3].kind = m[4].kind = MotionKind::rapid; }), 0);
-  EXPECT_EQ(told_of_a_line([](Motions& m) {  // G42 in a block without displacement
+  EXPECT_EQ(reported_for_line([](Motions&) {}), 0);
+  EXPECT_EQ(reported_for_line([](Motions& m) { m[3].tool_radius = m[4].tool_radius = 0; }), 0);  // D0 … D1
+  EXPECT_EQ(reported_for_line([](Motions& m) { m[3].tool_radius = tool / 2; }), 0);
+  EXPECT_EQ(reported_for_line([](Motions& m) { m[3].kind = m[4].kind = MotionKind::rapid; }), 0);
+  EXPECT_EQ(reported_for_line([](Motions& m) {  // G42 in a block without displacement
               m[0].to = m[0].machine = Axes{};
               m[0].named = 3;
             }),
             0);
-  EXPECT_GT(told_of_a_line([](Motions& m) {  // around a chamfer too short for the tool
+  EXPECT_GT(reported_for_line([](Motions& m) {  // around a chamfer too short for the tool
               const std::array<Vec2, 4> ends{Vec2{81, 1}, Vec2{81, 60}, Vec2{81, 80}, Vec2{81, 100}};
               for (std::size_t i = 0; i < ends.size(); ++i) m[4 + i].to = m[4 + i].machine = {ends[i].x, ends[i].y};
             }),
@@ -186,11 +186,11 @@ bool runs_back(const Contour& contour, const Outcome& outcome) {
     const std::size_t block = action.origin.line - 1;
     const Motion& programmed = contour.motions[block];
     const Axes start = block == 0 ? Axes{} : contour.motions[block - 1].to;
-    const Vec2 way{m->to[0] - from[0], m->to[1] - from[1]};
+    const Vec2 delta{m->to[0] - from[0], m->to[1] - from[1]};
     const Vec2 wanted{programmed.to[0] - start[0], programmed.to[1] - start[1]};
     const bool along = block > 0 && block + 1 < contour.motions.size() && !is_arc(programmed.kind);
     const bool of_block = &action == &outcome.path.back() || (&action)[1].origin.line != action.origin.line;  // without its corner
-    if (along && of_block && dot(way, wanted) < -1e-5 * length(wanted)) return true;
+    if (along && of_block && dot(delta, wanted) < -1e-5 * length(wanted)) return true;
     from = m->to;
   }
   return false;

@@ -139,7 +139,7 @@ RC_GTEST_PROP(contour_symmetry, split, ()) {
   const auto which = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(p.all.size())));
   const Vec2 from = which == 0 ? p.from : p.all[which - 1].to;
   Pieces q{p.from, {}};
-  Vec2 beside;
+  Vec2 offset;
   for (std::size_t i = 0; i < p.all.size(); ++i) {
     const Piece& piece = p.all[i];
     if (i != which) {
@@ -149,8 +149,8 @@ RC_GTEST_PROP(contour_symmetry, split, ()) {
     Piece half = piece;
     half.turns /= 2;
     half.to = piece.arc ? piece.center + rotated(from - piece.center, 360 * half.turns) : 0.5 * (from + piece.to);
-    const Vec2 way = piece.arc ? (piece.turns > 0 ? 1 : -1) * left_of(half.to - piece.center) : piece.to - from;
-    beside = half.to + tool / length(way) * side_normal(way, side);
+    const Vec2 direction = piece.arc ? (piece.turns > 0 ? 1 : -1) * left_of(half.to - piece.center) : piece.to - from;
+    offset = half.to + tool / length(direction) * side_normal(direction, side);
     q.all.push_back(half);
     q.all.push_back({piece.to, piece.arc, piece.center, half.turns});
   }
@@ -159,7 +159,7 @@ RC_GTEST_PROP(contour_symmetry, split, ()) {
   RC_ASSERT(path.has_value() == other.has_value());
   if (!path) return;
   RC_ASSERT(other->size() == path->size() + 1);  // one more point, at the cut
-  const auto cut = std::find_if(other->begin(), other->end(), [&](Vec2 v) { return length(v - beside) < tol::same_point; });
+  const auto cut = std::find_if(other->begin(), other->end(), [&](Vec2 v) { return length(v - offset) < tol::same_point; });
   RC_ASSERT(cut != other->end());
   other->erase(cut);
   RC_ASSERT(same(path, other));

@@ -44,11 +44,11 @@ Pair any_pair() {
   return {reversed(element_from(corner, -1.0 * in, first_arc)), element_from(corner, rotated(in, turn), second_arc)};
 }
 
-/// Returns the point at `way` along an element; `way` is in mm on a line, in revolutions on an arc.
-Vec2 point_at(const ContourElement& e, double way) {
-  return e.is_arc ? e.center + rotated(e.from - e.center, 360 * e.sense() * way) : e.from + way * e.start;
+/// Returns the point at `travel` along an element; `travel` is in mm on a line, in revolutions on an arc.
+Vec2 point_at(const ContourElement& e, double travel) {
+  return e.is_arc ? e.center + rotated(e.from - e.center, 360 * e.sense() * travel) : e.from + travel * e.start;
 }
-Vec2 tangent_at(const ContourElement& e, double way) { return e.is_arc ? rotated(e.start, 360 * e.sense() * way) : e.start; }
+Vec2 tangent_at(const ContourElement& e, double travel) { return e.is_arc ? rotated(e.start, 360 * e.sense() * travel) : e.start; }
 
 /// The distance to the element, and whether the nearest point is not one of its ends.
 struct Nearest {
@@ -59,11 +59,11 @@ Nearest nearest(const ContourElement& e, Vec2 p) {
   const double ends = std::min(length(p - e.from), length(p - e.to));
   if (e.is_arc) {
     const double turns = swept_turns(e.from - e.center, p - e.center, e.sense());
-    const double beside = std::fabs(length(p - e.center) - e.start_radius);
-    return turns <= whole_way(e) && beside < ends ? Nearest{beside, true} : Nearest{ends, false};
+    const double off_arc = std::fabs(length(p - e.center) - e.start_radius);
+    return turns <= whole_travel(e) && off_arc < ends ? Nearest{off_arc, true} : Nearest{ends, false};
   }
   const double along = dot(p - e.from, e.start);
-  if (along <= 0 || along >= whole_way(e)) return {ends, false};
+  if (along <= 0 || along >= whole_travel(e)) return {ends, false};
   return {std::fabs(cross(e.start, p - e.from)), true};
 }
 
@@ -74,7 +74,7 @@ double side_of(const ContourElement& e, Vec2 p) {
 
 /// Rolls the circle back along the first element, on the inside of the corner, until it only touches the second element.
 std::optional<Vec2> rolled(const Pair& p, double radius) {
-  const double side = cross(p.first.end, p.second.start) > 0 ? 1 : -1, whole = whole_way(p.first);
+  const double side = cross(p.first.end, p.second.start) > 0 ? 1 : -1, whole = whole_travel(p.first);
   const auto center = [&](double back) {
     return point_at(p.first, whole - back) + side * radius * left_of(tangent_at(p.first, whole - back));
   };
@@ -100,16 +100,16 @@ double distance_from(const ContourElement& e, Vec2 tangent, Vec2 corner, Vec2 p)
 RC_GTEST_PROP(corner_geometry, a_rounding_is_tangent_to_both, ()) {
   const Pair p = any_pair();
   const double radius = number(0.5, 12);
-  const auto r = rounding(p.first, p.second, radius, {whole_way(p.first), whole_way(p.second)});
+  const auto r = rounding(p.first, p.second, radius, {whole_travel(p.first), whole_travel(p.second)});
   RC_PRE(r.has_value());
   RC_ASSERT(std::fabs(distance_from(p.first, p.first.end, p.first.to, r->center) - radius) < near);
   RC_ASSERT(std::fabs(distance_from(p.second, p.second.start, p.first.to, r->center) - radius) < near);
-  RC_ASSERT(length(point_at(p.first, whole_way(p.first) - r->first_way) - r->from) < near);
-  RC_ASSERT(length(point_at(p.second, r->second_way) - r->to) < near);
+  RC_ASSERT(length(point_at(p.first, whole_travel(p.first) - r->first_travel) - r->from) < near);
+  RC_ASSERT(length(point_at(p.second, r->second_travel) - r->to) < near);
   // The arc begins in the direction of the first element at that point, and ends in the direction of the second.
   const double sense = r->turns > 0 ? 1 : -1;
-  RC_ASSERT(dot(sense * left_of(r->from - r->center), tangent_at(p.first, whole_way(p.first) - r->first_way)) > radius - near);
-  RC_ASSERT(dot(sense * left_of(r->to - r->center), tangent_at(p.second, r->second_way)) > radius - near);
+  RC_ASSERT(dot(sense * left_of(r->from - r->center), tangent_at(p.first, whole_travel(p.first) - r->first_travel)) > radius - near);
+  RC_ASSERT(dot(sense * left_of(r->to - r->center), tangent_at(p.second, r->second_travel)) > radius - near);
   RC_ASSERT(std::fabs(r->turns) < 1);
 }
 
@@ -118,7 +118,7 @@ RC_GTEST_PROP(corner_geometry, a_rounding_is_where_a_rolled_circle_rests, ()) {
   const double radius = number(0.5, 8);
   const auto slow = rolled(p, radius);
   RC_PRE(slow.has_value());
-  const auto r = rounding(p.first, p.second, radius, {whole_way(p.first), whole_way(p.second)});
+  const auto r = rounding(p.first, p.second, radius, {whole_travel(p.first), whole_travel(p.second)});
   RC_ASSERT(r.has_value());
   RC_ASSERT(length(r->center - *slow) < 1e-4);  // near tangency the reference's step is coarser than its bisection
 }
@@ -130,8 +130,8 @@ RC_GTEST_PROP(corner_geometry, two_lines_lose_r_times_the_tangent_of_half_the_an
   const auto r = rounding(first, second, radius, any_room);
   RC_ASSERT(r.has_value());
   const double expected = radius * std::tan(turn / 2 * rad_per_deg);
-  RC_ASSERT(std::fabs(r->first_way - expected) < near * (1 + expected));
-  RC_ASSERT(std::fabs(r->second_way - expected) < near * (1 + expected));
+  RC_ASSERT(std::fabs(r->first_travel - expected) < near * (1 + expected));
+  RC_ASSERT(std::fabs(r->second_travel - expected) < near * (1 + expected));
   RC_ASSERT(std::fabs(r->turns - turn / 360) < near);
 }
 
@@ -142,9 +142,9 @@ RC_GTEST_PROP(corner_geometry, the_legs_of_a_chamfer_are_chords, ()) {
   RC_ASSERT(c.has_value());
   RC_ASSERT(std::fabs(length(c->from - p.first.to) - leg) < near);
   RC_ASSERT(std::fabs(length(c->to - p.first.to) - leg) < near);
-  RC_PRE(c->first_way < whole_way(p.first) && c->second_way < whole_way(p.second));
-  RC_ASSERT(length(point_at(p.first, whole_way(p.first) - c->first_way) - c->from) < near);
-  RC_ASSERT(length(point_at(p.second, c->second_way) - c->to) < near);
+  RC_PRE(c->first_travel < whole_travel(p.first) && c->second_travel < whole_travel(p.second));
+  RC_ASSERT(length(point_at(p.first, whole_travel(p.first) - c->first_travel) - c->from) < near);
+  RC_ASSERT(length(point_at(p.second, c->second_travel) - c->to) < near);
 }
 
 TEST(corner_geometry, a_leg_longer_than_the_diameter) {

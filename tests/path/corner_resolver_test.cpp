@@ -196,9 +196,9 @@ RC_GTEST_PROP(corner_resolver, a_chain_of_lines_is_the_polygon_through_its_corne
   double degrees = 0;
   const auto count = *rc::gen::inRange(3, 7);
   for (int i = 0; i < count; ++i) {
-    const double way = number(40, 60), rounding = i + 1 < count && *rc::gen::arbitrary<bool>() ? number(0.5, 4) : 0;
+    const double line_length = number(40, 60), rounding = i + 1 < count && *rc::gen::arbitrary<bool>() ? number(0.5, 4) : 0;
     const Vec2 direction = rotated({1, 0}, degrees), beyond = at + number(1, 200) * direction;
-    at = at + way * direction;
+    at = at + line_length * direction;
     plain.push_back(compensated(line(at, 0, rounding)));
     const bool last = i + 1 == count;
     chain.push_back(i == 0 ? compensated(line(beyond, 0, rounding)) : over_line(last ? at : beyond, degrees, rounding));

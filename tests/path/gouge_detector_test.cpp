@@ -38,10 +38,11 @@ Tally tally(bool slender, int contours, Style style, std::uint64_t first_seed) {
     const double depth = test::true_cut(contour, run);
     if (depth > certain_cut) {
       ++t.bad;
-      if (run.told == 0 && ++t.missed < 5) std::cout << "missed: seed " << seed << " depth " << depth << '\n';
+      if (run.reported == 0 && ++t.missed < 5) std::cout << "missed: seed " << seed << " depth " << depth << '\n';
     } else if (depth < certainly_none) {
       ++t.good;
-      if (run.told > 0 && ++t.false_ones < 5) std::cout << "false: seed " << seed << " told " << run.told << " twin " << depth << '\n';
+      if (run.reported > 0 && ++t.false_ones < 5)
+        std::cout << "false: seed " << seed << " told " << run.reported << " twin " << depth << '\n';
     }
   }
   return t;
@@ -121,7 +122,7 @@ TEST(contour_closing, what_is_cut_out_of_a_piece) {
 
 /// Follows a polygon of `sides` sides around a circle with a tool of radius 5 outside, entered and left along the extensions of two
 /// sides. `notch` is the side with a slot 4 mm wide and 8 mm deep, too narrow for the tool.
-double told_of_polygon(int sides, int notch) {
+double reported_for_polygon(int sides, int notch) {
   constexpr double tool = 5;
   const double radius = 4.0 * sides / pi;  // sides of 8 mm
   const auto corner = [&](int i) { return rotated({radius, 0}, -360.0 * i / sides); };
@@ -134,7 +135,7 @@ double told_of_polygon(int sides, int notch) {
   }
   at.back() = at.back() + 20 / length(corner(0) - corner(-1)) * (corner(0) - corner(-1));
   RadiusCompensation compensation{ToolPosition{{radius + 60, 40}, {radius + 60, 40}}};
-  double told = 0;
+  double reported = 0;
   for (std::size_t i = 0; i <= at.size(); ++i) {
     Motion m = test::straight(MotionKind::feed, {i < at.size() ? at[i].x : radius + 60, i < at.size() ? at[i].y : -40, 0});
     m.named = 3;
@@ -145,21 +146,21 @@ double told_of_polygon(int sides, int notch) {
     batch.add() = test::action(m, static_cast<std::uint32_t>(i + 1));
     EXPECT_FALSE(compensation.take(batch, i == at.size()));
     for (const CompensationFault& w : compensation.warnings()) {
-      told = std::max(told, w.alarm.args[0].number());
+      reported = std::max(reported, w.alarm.args[0].number());
       EXPECT_GT(w.other.line, 0u);
     }
   }
-  return told;
+  return reported;
 }
 
 TEST(gouge_detector, run_in_and_run_out_of_a_long_contour) {
-  for (const int sides : {30, 47, 48, 49, 95, 96, 97, 200}) EXPECT_EQ(told_of_polygon(sides, 0), 0) << sides;
+  for (const int sides : {30, 47, 48, 49, 95, 96, 97, 200}) EXPECT_EQ(reported_for_polygon(sides, 0), 0) << sides;
 }
 
 TEST(gouge_detector, a_notch_anywhere_in_a_long_contour) {
   for (const int sides : {30, 60, 97, 200})
     for (const int notch : {1, 2, 20, sides / 2, sides - 3, sides - 1})
-      EXPECT_GT(told_of_polygon(sides, notch), 0.5) << sides << ' ' << notch;
+      EXPECT_GT(reported_for_polygon(sides, notch), 0.5) << sides << ' ' << notch;
 }
 
 }  // namespace

@@ -93,8 +93,8 @@ RC_GTEST_PROP(machine_path, followers_copy_the_way_of_their_masters_and_nothing_
     const Axes at = path.at(part);
     for (std::size_t a = 0; a < 4; ++a) RC_ASSERT(at[a] == own.at(part)[a]);
     for (const Follower& f : moved.motion.detail->followers) {
-      const double way = at[f.axis] - moved.from.machine[f.axis];
-      RC_ASSERT(std::fabs(way - f.sign * (at[f.master] - moved.from.machine[f.master])) < 1e-9);
+      const double travel = at[f.axis] - moved.from.machine[f.axis];
+      RC_ASSERT(std::fabs(travel - f.sign * (at[f.master] - moved.from.machine[f.master])) < 1e-9);
     }
   }
 }

@@ -65,11 +65,11 @@ RC_GTEST_PROP(queued_corner, of_two_lines_keeps_the_radius, ()) {
   RC_ASSERT(corner.has_value());
   RC_ASSERT(length(corner->end - (place.point + 50 * along + radius * side_normal(along, side))) < 1e-9);
   const double outside = -side * turn * rad_per_deg;  // the gap on the tool's side
-  RC_ASSERT((corner->way == CornerKind::outer) == (outside > 0.05));
-  RC_ASSERT((corner->way == CornerKind::inner) == (outside < -0.05));
-  if (corner->way == CornerKind::outer) RC_ASSERT(std::fabs(length(corner->at - place.point) - radius) < 1e-9);
-  if (corner->way != CornerKind::inner) return;
-  for (const Vec2 way : {Vec2{1, 0}, along}) RC_ASSERT(std::fabs(side * cross(way, corner->at - place.point) - radius) < 1e-6);
+  RC_ASSERT((corner->kind == CornerKind::outer) == (outside > 0.05));
+  RC_ASSERT((corner->kind == CornerKind::inner) == (outside < -0.05));
+  if (corner->kind == CornerKind::outer) RC_ASSERT(std::fabs(length(corner->at - place.point) - radius) < 1e-9);
+  if (corner->kind != CornerKind::inner) return;
+  for (const Vec2 direction : {Vec2{1, 0}, along}) RC_ASSERT(std::fabs(side * cross(direction, corner->at - place.point) - radius) < 1e-6);
 }
 
 RC_GTEST_PROP(queued_corner, inside_with_arcs_is_beside_both, ()) {
@@ -89,7 +89,7 @@ RC_GTEST_PROP(queued_corner, inside_with_arcs_is_beside_both, ()) {
   const Motion& next = c.motions.back();
   const auto corner = corner_to_arc(place, {c.at, next.center, sense});
   RC_ASSERT(corner.has_value());
-  RC_ASSERT(corner->way == CornerKind::inner);
+  RC_ASSERT(corner->kind == CornerKind::inner);
   const double of_next = length(place.point - next.center) - side * sense * radius;
   RC_ASSERT(std::fabs(length(corner->at - next.center) - of_next) < 1e-6);
   if (first_arc) RC_ASSERT(std::fabs(length(corner->at - before.center) - length(tool - before.center)) < 1e-6);
@@ -102,11 +102,11 @@ RC_GTEST_PROP(queued_corner, entry_arc_is_one, ()) {
   Contour c;
   c.arc(any_number(20, 60), sense * any_number(1, 3) / 10, 1, radius);
   const Motion& m = c.motions.back();
-  const auto way = entry_arc({}, {c.at, m.center, sense}, radius, side);
-  RC_ASSERT(way.has_value());
-  RC_ASSERT(std::fabs(length(way->end - c.at) - radius) < 1e-9);
-  RC_ASSERT(std::fabs(length(way->center) - length(way->end - way->center)) < 1e-6);
-  RC_ASSERT(std::fabs(cross(way->end - c.at, m.center - c.at)) < 1e-6);
+  const auto entry = entry_arc({}, {c.at, m.center, sense}, radius, side);
+  RC_ASSERT(entry.has_value());
+  RC_ASSERT(std::fabs(length(entry->end - c.at) - radius) < 1e-9);
+  RC_ASSERT(std::fabs(length(entry->center) - length(entry->end - entry->center)) < 1e-6);
+  RC_ASSERT(std::fabs(cross(entry->end - c.at, m.center - c.at)) < 1e-6);
 }
 
 RC_GTEST_PROP(queued_compensation, what_it_remembers_is_a_value, ()) {
@@ -222,8 +222,8 @@ TEST(queued_compensation, line_too_short_for_its_corners) {
 TEST(queued_compensation, narrow_neck_is_warned_of) {
   Contour c;
   c.line(20, -1, 5).side_step = SideStep::begins;
-  const auto go = [&](Vec2 way, double length) {
-    c.direction = way;
+  const auto go = [&](Vec2 direction, double length) {
+    c.direction = direction;
     c.line(length, -1, 5);
   };
   go({1, 0}, 20);

@@ -117,7 +117,7 @@ TEST(radius_compensation, a_frame_that_moves_keeps_the_tool_beside) {
   EXPECT_EQ(std::get<Motion>(batch[1].what).to[1], 5);
   EXPECT_EQ(std::get<FrameChange>(batch[2].what).work[0], -30);
   EXPECT_EQ(std::get<FrameChange>(batch[2].what).work[1], 5);
-  EXPECT_TRUE(compensation.beside());
+  EXPECT_TRUE(compensation.off_contour());
 }
 
 TEST(radius_compensation, a_corner_too_flat_for_a_motion_of_its_own) {

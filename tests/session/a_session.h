@@ -60,9 +60,9 @@ class ASession {
     if (session_->channels().size() == 1) control.set_waiting(Control::Waiting::pass);
     trace_ = std::make_unique<TraceWriter>(written_.file(), control.axes(), control.rotary());
     session_->outlets().step = [this](const Step& step) { trace_->write(step); };
-    session_->outlets().warning = [this](const AlarmReport& report) { tell(report); };
+    session_->outlets().warning = [this](const AlarmReport& report) { note_report(report); };
     session_->outlets().alarm = [this](const AlarmReport& report) {
-      tell(report);
+      note_report(report);
       return false;
     };
   }
@@ -73,16 +73,16 @@ class ASession {
     trace_->flush();
     return written_.text();
   }
-  const std::vector<std::string>& told() const { return told_; }
+  const std::vector<std::string>& reported() const { return reported_; }
 
  private:
-  void tell(const AlarmReport& report) {
-    told_.push_back(std::string(name_of(report.alarm.id)) + " " + std::to_string(report.origin.line));
+  void note_report(const AlarmReport& report) {
+    reported_.push_back(std::string(name_of(report.alarm.id)) + " " + std::to_string(report.origin.line));
   }
 
   Written written_;
   std::unique_ptr<TraceWriter> trace_;
-  std::vector<std::string> told_;
+  std::vector<std::string> reported_;
   std::unique_ptr<Session> session_;
 };
 

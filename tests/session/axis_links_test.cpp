@@ -54,9 +54,10 @@ TEST(axis_links, followers_of_another_channel_stand_as_those_of_the_same) {
   for (int i = 0; i < programs; ++i) {
     const std::string program = any_program(random);
     const Axes alone = stand_of(program, set_up(R"("Y", "Z", "V", "W")", ""), 0);
-    const Axes beside = stand_of(program, set_up(R"("Y", "Z")", R"(, "channels": {"2": {"axes": ["V", "W"], "program": "G4 P1\n"}})"), 1);
-    EXPECT_NEAR(beside[0], alone[2], 1e-9) << program;
-    EXPECT_NEAR(beside[1], alone[3], 1e-9) << program;
+    const Axes in_parallel =
+        stand_of(program, set_up(R"("Y", "Z")", R"(, "channels": {"2": {"axes": ["V", "W"], "program": "G4 P1\n"}})"), 1);
+    EXPECT_NEAR(in_parallel[0], alone[2], 1e-9) << program;
+    EXPECT_NEAR(in_parallel[1], alone[3], 1e-9) << program;
   }
 }
 

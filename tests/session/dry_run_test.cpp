@@ -18,7 +18,7 @@ double cutting_seconds(const std::string& control, const std::string& program, d
   planned.run_dry(dry);
   (void)session->run();
   EXPECT_TRUE(planned.finish());
-  EXPECT_TRUE(session.told().empty());
+  EXPECT_TRUE(session.reported().empty());
   EXPECT_NE(planned.time(), nullptr);
   return planned.time() == nullptr ? 0 : planned.time()->cutting.all;
 }

@@ -88,15 +88,15 @@ TEST(give_machine, the_control_and_the_file_mean_the_same_place) {
     session->outlets().step = [&](const Step& step) {
       const auto* const motion = std::get_if<Motion>(&step.action.what);
       if (motion == nullptr || step.from.space == nullptr) return;
-      const Pose told = step.from.space->pose(motion->machine);
+      const Pose pose = step.from.space->pose(motion->machine);
       const Pose by_file = tree.forward(motion->machine, 90);
       const Vec3 in_system = by_file.tip - zero;
-      EXPECT_LT(length(told.tip - in_system), 1e-9) << id << ' ' << told.tip.x << ' ' << told.tip.y << ' ' << told.tip.z;
-      EXPECT_LT(length(told.direction - by_file.direction), 1e-12) << id;
+      EXPECT_LT(length(pose.tip - in_system), 1e-9) << id << ' ' << pose.tip.x << ' ' << pose.tip.y << ' ' << pose.tip.z;
+      EXPECT_LT(length(pose.direction - by_file.direction), 1e-12) << id;
       ++looked_at;
     };
     (void)session->run();
-    EXPECT_TRUE(session.told().empty()) << id << ": " << session.told().front();
+    EXPECT_TRUE(session.reported().empty()) << id << ": " << session.reported().front();
     EXPECT_EQ(looked_at, 3) << id;
   }
 }

@@ -102,9 +102,10 @@ TEST(machine_watch, the_head_meets_a_clamp) {
 }
 
 TEST(machine_watch, a_rapid_of_axes_that_go_apart) {
-  const BodyShape beside = box({-55, 90, -30}, {-45, 120, 100});  // with separate axes the head reaches it before X has moved the head past
+  const BodyShape next_to_path =
+      box({-55, 90, -30}, {-45, 120, 100});  // with separate axes the head reaches it before X has moved the head past
   for (const bool apart : {false, true}) {
-    const auto watch = watch_with(beside, apart ? std::optional<Axes>({100, 100, 100}) : std::nullopt);
+    const auto watch = watch_with(next_to_path, apart ? std::optional<Axes>({100, 100, 100}) : std::nullopt);
     Steps steps(*watch);
     steps.to(MotionKind::rapid, {-100, -100, 5}, 1);
     steps.to(MotionKind::feed, {-100, -100, 4}, 2);

@@ -64,7 +64,7 @@ TEST(restart, what_is_in_force_and_what_differs) {
   EXPECT_EQ(restart->stand.machine[2], -3 - 50 + 42);
   std::vector<std::string> names;
   for (const Difference& d : differences(restart->in_force, at_start))
-    if (d.wanted && d.wanted->kind == Kind::code) names.push_back(d.wanted->code);
+    if (d.required && d.required->kind == Kind::code) names.push_back(d.required->code);
   EXPECT_EQ(joined(names), "G1; G91; G43; ");
   EXPECT_TRUE(differences(restart->in_force, restart->in_force).empty());
 }
@@ -75,15 +75,15 @@ TEST(restart, the_way_goes_over_the_clearance) {
   to.stand.machine = {-160, -80, -11};
   ToolPosition from;
   from.machine = {100, 100, -30};
-  const auto way = way_there(from, to, {.clearance = 50, .above = 2, .feed = 77}, 3);
-  ASSERT_EQ(way.size(), 4U);
-  EXPECT_TRUE(way[0].rapid && way[0].named == 4 && way[0].machine[2] == 42);  // 50 mm in work coordinates
-  EXPECT_TRUE(way[1].rapid && way[1].named == 3 && way[1].machine[0] == -160 && way[1].machine[2] == 42);
-  EXPECT_TRUE(way[2].rapid && way[2].named == 4 && way[2].machine[2] == -9);
-  EXPECT_TRUE(!way[3].rapid && way[3].named == 4 && way[3].machine[2] == -11 && way[3].feed == 77);
-  EXPECT_TRUE(way_there(to.stand, to, {.clearance = 50}, 3).empty());
+  const auto path = path_there(from, to, {.clearance = 50, .above = 2, .feed = 77}, 3);
+  ASSERT_EQ(path.size(), 4U);
+  EXPECT_TRUE(path[0].rapid && path[0].named == 4 && path[0].machine[2] == 42);  // 50 mm in work coordinates
+  EXPECT_TRUE(path[1].rapid && path[1].named == 3 && path[1].machine[0] == -160 && path[1].machine[2] == 42);
+  EXPECT_TRUE(path[2].rapid && path[2].named == 4 && path[2].machine[2] == -9);
+  EXPECT_TRUE(!path[3].rapid && path[3].named == 4 && path[3].machine[2] == -11 && path[3].feed == 77);
+  EXPECT_TRUE(path_there(to.stand, to, {.clearance = 50}, 3).empty());
   from.machine = {-160, -80, 90};  // straight above the point: straight down
-  EXPECT_EQ(way_there(from, to, {.clearance = 50}, 3).size(), 2U);
+  EXPECT_EQ(path_there(from, to, {.clearance = 50}, 3).size(), 2U);
 }
 
 /// The n-th hole of a canned cycle that drills several, for each control with such cycles.
@@ -124,31 +124,31 @@ TEST(restart, blocks_bring_what_must_be_in_force) {
       ++lines;
       std::vector<InForce> wanted;
       for (const Difference& d : differences(restart->in_force, fresh->control().in_force()))
-        if (d.wanted) wanted.push_back(*d.wanted);
+        if (d.required) wanted.push_back(*d.required);
       const auto technology = restart_blocks(def, wanted, restart->in_force, {});
       ASSERT_TRUE(technology);
-      const auto way = way_there(fresh->stand(), *restart, {.clearance = 300, .above = 2, .feed = 100}, whole->control().axes().size());
-      const auto blocks = restart_blocks(def, wanted, restart->in_force, in_work_coordinates(way, *restart, def));
+      const auto path = path_there(fresh->stand(), *restart, {.clearance = 300, .above = 2, .feed = 100}, whole->control().axes().size());
+      const auto blocks = restart_blocks(def, wanted, restart->in_force, in_work_coordinates(path, *restart, def));
       ASSERT_TRUE(blocks);
       for (const std::string& block : blocks->blocks) {
         ++written;
         if (by_hand.enter(block) == Session::State::stopped && ++shown < 10)
-          ADD_FAILURE() << work.where << ":" << restart->at.line << ": " << block << ": " << fresh.told().back() << "\n"
+          ADD_FAILURE() << work.where << ":" << restart->at.line << ": " << block << ": " << fresh.reported().back() << "\n"
                         << joined(blocks->blocks);
       }
       std::vector<std::string> left;
       for (const Difference& d : differences(restart->in_force, fresh->control().in_force())) {
-        if (!d.wanted) continue;  // there was no feed before
-        const auto& one = *d.wanted;
+        if (!d.required) continue;  // there was no feed before
+        const auto& one = *d.required;
         const bool rounded = (one.kind == Kind::position || one.kind == Kind::machine || one.kind == Kind::feed) && d.now &&
                              std::fabs(one.value - d.now->value) < 0.0013;  // half the increment of a word, in inches
         const bool of_coolant = one.kind == Kind::code && (one.code == "M8" || one.code == "M9");  // M13 has switched it already
         if (rounded || of_coolant) continue;
-        const bool told = std::any_of(blocks->by_hand.begin(), blocks->by_hand.end(), [&](const InForce& other) {
+        const bool listed = std::any_of(blocks->by_hand.begin(), blocks->by_hand.end(), [&](const InForce& other) {
           const bool by_zero = one.kind == Kind::machine && other.kind == Kind::origin;  // G92: the path is written from another origin
           return (other.kind == one.kind || by_zero) && other.name == one.name;
         });
-        if (!told) left.push_back(one.name + one.code + " kind " + std::to_string(int(one.kind)) + "=" + std::to_string(one.value));
+        if (!listed) left.push_back(one.name + one.code + " kind " + std::to_string(int(one.kind)) + "=" + std::to_string(one.value));
       }
       if (!left.empty() && ++shown < 10)
         ADD_FAILURE() << work.where << ":" << restart->at.line << " left: " << joined(left) << "\n" << joined(blocks->blocks);

@@ -57,13 +57,13 @@ class Run {
   }
   /// All output so far.
   struct Given {
-    std::string trace, told, samples;
+    std::string trace, reports, samples;
   };
-  Given given() const { return {written_.text(), told_, samples_.text()}; }
+  Given given() const { return {written_.text(), reports_, samples_.text()}; }
   /// The observers of the session continue too.
   void go_on_from(const Run& other) {
     alarms_ = other.alarms_;
-    for (std::size_t i = 0; i < traces_.size(); ++i) traces_[i]->go_on_behind_probe(other.traces_[i]->after_probe());
+    for (std::size_t i = 0; i < traces_.size(); ++i) traces_[i]->continue_after_probe(other.traces_[i]->after_probe());
   }
 
  private:
@@ -82,9 +82,9 @@ class Run {
     outlets.timed = [this, alone, i](const Step& step, double) {
       if (alone) write(i, step);
     };
-    outlets.warning = [this](const AlarmReport& report) { tell(report); };
+    outlets.warning = [this](const AlarmReport& report) { note_report(report); };
     outlets.alarm = [this, look](const AlarmReport& report) {
-      tell(report);
+      note_report(report);
       return look.past_alarms && ++alarms_ < max_alarms;
     };
   }
@@ -92,21 +92,21 @@ class Run {
     traces_[i]->write(step);
     traces_[i]->flush();
   }
-  void tell(const AlarmReport& report) {
-    told_ += std::string(name_of(report.alarm.id)) + " " + std::to_string(report.origin.line) + " " +
-             std::to_string(report.alarm.where.begin) + " " + report.file + " " + report.line_text + "\n";
+  void note_report(const AlarmReport& report) {
+    reports_ += std::string(name_of(report.alarm.id)) + " " + std::to_string(report.origin.line) + " " +
+                std::to_string(report.alarm.where.begin) + " " + report.file + " " + report.line_text + "\n";
   }
   void last_lines() {
     for (std::size_t i = 0; i < traces_.size(); ++i) {
       FinalState ending = session_->channels()[i].control->ending();
       if (const auto& stood = session_->stopped(i).machine_stood) ending.position = stood->work, ending.machine_position = stood->machine;
       traces_[i]->finish(ending);
-      told_ += std::to_string(session_->channels()[i].control->blocks()) + "\n";
+      reports_ += std::to_string(session_->channels()[i].control->blocks()) + "\n";
     }
   }
 
   Written written_, samples_;
-  std::string told_;
+  std::string reports_;
   std::deque<TimeEstimate> clocks_;
   std::vector<std::unique_ptr<TraceWriter>> traces_;
   std::unique_ptr<Session> session_;
@@ -122,7 +122,7 @@ std::string difference(const std::string& name, const std::string& expected, con
   return name + " never stopped: " + expected.substr(from, 500) + "\n  restored:      " + found.substr(from, 500) + "\n";
 }
 std::string difference(const Run::Given& expected, const Run::Given& found) {
-  return difference("trace", expected.trace, found.trace) + difference("told", expected.told, found.told) +
+  return difference("trace", expected.trace, found.trace) + difference("told", expected.reports, found.reports) +
          difference("samples", expected.samples, found.samples);
 }
 
@@ -151,7 +151,7 @@ void check(const Work& work, Look look, std::mt19937& choose, Tally& tally) {
   fresh.finish(done);
   const Run::Given expected = whole.given(), undisturbed = stopped.given(), rest = fresh.given();
   const std::string by_itself = difference(expected, undisturbed);
-  const std::string same = difference(expected, {before.trace + rest.trace, before.told + rest.told, before.samples + rest.samples});
+  const std::string same = difference(expected, {before.trace + rest.trace, before.reports + rest.reports, before.samples + rest.samples});
   if (!(by_itself + same).empty() && ++tally.shown <= 10)
     ADD_FAILURE() << work.where << (look.past_alarms ? ", past alarms" : "") << (look.planned ? ", planned" : "")
                   << (look.limits ? ", with limits" : "") << ", stopped after " << at << " of " << calls << " calls\n"

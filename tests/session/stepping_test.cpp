@@ -135,7 +135,7 @@ TEST(stepping, a_line_of_the_operator_leaves_the_program_where_it_was) {
   inside.pass = 2;
   ASSERT_EQ(stepping.go_to(inside), State::held);
   EXPECT_EQ(stepping.enter("G91 G0 Z7 #101=9"), State::stopped);  // an assignment must be alone in its block
-  EXPECT_EQ(s.told().back(), "statement_not_alone 1");
+  EXPECT_EQ(s.reported().back(), "statement_not_alone 1");
   EXPECT_EQ(stepping.next()->line, 11U);
   EXPECT_EQ(stepping.enter("G91 G0 Z7"), State::held);
   EXPECT_EQ(stepping.next()->line, 11U);
@@ -179,7 +179,7 @@ TEST(stepping, block_by_block_as_in_one_go) {
     State state = State::held;
     for (std::size_t i = 0; i < 100'000 && state == State::held; ++i) state = stepping.go(How::block);
     ++programs;
-    if ((whole.trace() != stepped.trace() || whole.told() != stepped.told() || end != state) && ++shown <= 10)
+    if ((whole.trace() != stepped.trace() || whole.reported() != stepped.reported() || end != state) && ++shown <= 10)
       ADD_FAILURE() << work.where << "\n" << test::difference(whole.trace(), stepped.trace()) << "\n" << work.program.substr(0, 1000);
   });
   EXPECT_GT(programs, 1700U);

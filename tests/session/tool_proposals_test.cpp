@@ -42,8 +42,8 @@ TEST(ToolProposals, TheCommentThatNamesTheToolThenTheOneBeside) {
                               {9, "(T4 8MM REAMER)"},  {10, "(D16 ENDMILL) (D2)"}, {11, "T5 M6"}};
   const ToolProposals comments(lines, false);
   EXPECT_EQ(comments.of(1, 2)->line, 1U);
-  EXPECT_EQ(comments.of(1, 2)->said.diameter, 10);
-  EXPECT_EQ(comments.of(2, 5)->said.diameter, 6.8);
+  EXPECT_EQ(comments.of(1, 2)->tool_data.diameter, 10);
+  EXPECT_EQ(comments.of(2, 5)->tool_data.diameter, 6.8);
   EXPECT_FALSE(comments.of(2, 0)) << "it is called in another file";
   EXPECT_FALSE(comments.of(3, 8)) << "the comment beside names another tool";
   EXPECT_EQ(comments.of(5, 11)->text, "D16 ENDMILL");
@@ -56,7 +56,7 @@ TEST(ToolProposals, TheCommentThatIsNotSure) {
   EXPECT_FALSE(comments.of(1, 2));
   EXPECT_EQ(comments.unsure(1, 2)->text, "T1 6. FLAT ENDMILL");
   EXPECT_EQ(comments.unsure(2, 4)->line, 3U);
-  EXPECT_EQ(comments.of(3, 7)->said.diameter, 12.7);
+  EXPECT_EQ(comments.of(3, 7)->tool_data.diameter, 12.7);
   EXPECT_FALSE(comments.unsure(3, 7));
 }
 

@@ -15,7 +15,7 @@ std::string trace_with(const std::string& control, const std::string& modes, con
   ASession session(control, "%\nO0001\nG90 G17 " + modes + "\nS100 M3\nG0 X0. Y0.\nG1 X1. " + feed + "\nM30\n%\n");
   EXPECT_TRUE(session.opened());
   (void)session->run();
-  EXPECT_TRUE(session.told().empty()) << control << ' ' << modes << ' ' << feed << ": " << session.told().front();
+  EXPECT_TRUE(session.reported().empty()) << control << ' ' << modes << ' ' << feed << ": " << session.reported().front();
   return session.trace();
 }
 

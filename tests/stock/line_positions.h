@@ -34,14 +34,14 @@ inline LinePosition some_place(const Stock& stock, Chance& chance) {
   along(p.at, (p.family + 1) % 3) += (p.line % brick_edge + 0.5) * lattice.cell();
   along(p.at, (p.family + 2) % 3) += (p.line / brick_edge + 0.5) * lattice.cell();
   double from_corner = chance.between(0, lattice.edge());
-  const double beside = chance.between(-0.01, 0.01);
+  const double shift = chance.between(-0.01, 0.01);
   const int wanted = chance.below(3);
   if (const Brick* b = stock.brick(brick); b != nullptr && wanted != 0) {
     const BrickLines& lines = b->family[std::size_t(p.family)];
     const bool any = lines.from[p.line] < lines.to[p.line], from = any && lines.from_by[p.line] != of_blank,
                to = any && lines.to_by[p.line] != of_blank;
     p.is_end = wanted == 1 && (from || to);
-    if (from || to) from_corner = double(from ? lines.from[p.line] : lines.to[p.line]) + (p.is_end ? 0 : beside);
+    if (from || to) from_corner = double(from ? lines.from[p.line] : lines.to[p.line]) + (p.is_end ? 0 : shift);
   }
   along(p.at, p.family) += std::clamp(from_corner, 0.0, lattice.edge());
   return p;

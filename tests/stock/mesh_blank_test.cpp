@@ -58,9 +58,9 @@ TEST(mesh_blank, lines_through_edges_and_points) {
 
 TEST(mesh_blank, a_hollow_and_bodies_that_overlap) {
   const Mesh outer = box_mesh({0, 0, 0}, {20, 20, 20}), inner = box_mesh({5, 5, 5}, {10, 10, 10}),
-             beside = box_mesh({15, 0, 0}, {30, 20, 20});
+             second = box_mesh({15, 0, 0}, {30, 20, 20});
   EXPECT_NEAR(volume_of(surface_of(Stock(mesh_blank(together(outer, inside_out(inner))), 0.7, 2))), 8000 - 125, 0.1);
-  EXPECT_NEAR(volume_of(surface_of(Stock(mesh_blank(together(outer, beside)), 0.7, 2))), 30 * 20 * 20, 0.1);
+  EXPECT_NEAR(volume_of(surface_of(Stock(mesh_blank(together(outer, second)), 0.7, 2))), 30 * 20 * 20, 0.1);
 }
 
 RC_GTEST_PROP(mesh_blank, every_line_goes_in_as_often_as_out, (unsigned seed)) {

@@ -129,7 +129,7 @@ TEST(mesh_file, places_that_are_none) {
 }
 
 TEST(mesh_file, what_can_be_repaired_is_and_is_told) {
-  const Mesh outer = box_mesh({0, 0, 0}, {9, 9, 9}), inner = box_mesh({2, 2, 2}, {4, 4, 4}), beside = box_mesh({20, 0, 0}, {21, 1, 1});
+  const Mesh outer = box_mesh({0, 0, 0}, {9, 9, 9}), inner = box_mesh({2, 2, 2}, {4, 4, 4}), apart = box_mesh({20, 0, 0}, {21, 1, 1});
   struct Case {
     Mesh mesh;
     double volume;
@@ -144,7 +144,7 @@ TEST(mesh_file, what_can_be_repaired_is_and_is_told) {
                                            {inside_out(outer), 729, "it was inside out: turned"},
                                            {together(outer, inside_out(inner)), 729 - 8, ""},
                                            {inside_out(together(outer, inside_out(inner))), 729 - 8, "it was inside out: turned"},
-                                           {together(outer, inside_out(beside)), 730, "1 of its bodies was inside out: turned"},
+                                           {together(outer, inside_out(apart)), 730, "1 of its bodies was inside out: turned"},
                                            {mixed, 729, "1 triangle went round against its neighbours: turned"},
                                            {torn, 729, "1 point at open edges lay within 0.005 mm of another: joined"}}) {
     const auto read = read_mesh(stl_of(mesh), {});

@@ -84,7 +84,7 @@ TEST_F(moving_bodies, past_each_other_by_little) {
   add(box({-50, -50, 0.02}, {50, 50, 200}), "Z");
   add(box({300, -50, -100}, {400, 50, 0}), "bed");
   EXPECT_TRUE(move({}, {1000, 0, 0}).empty());
-  EXPECT_LT(bodies->asked(), 20U);  // few queries: the motion is parallel to a plane between the bodies
+  EXPECT_LT(bodies->queries(), 20U);  // few queries: the motion is parallel to a plane between the bodies
 }
 
 // The axis of the part moves in the opposite sense: the part moves by -Y.

@@ -64,24 +64,24 @@ inline Grazing some_grazing(const ToolShape& tool, Vec3 at, int family, Chance& 
   along(line, family) = 1;
   Vec3 any{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
   any = any - dot_of(any, line) * line;
-  const Vec3 upright = unit_of(any), beside = cross_of(line, upright);
-  const auto seen = [&](Vec3 v) { return dot_of(v, e) * line + dot_of(v, n) * upright + dot_of(v, c) * beside; };
+  const Vec3 upright = unit_of(any), sideways = cross_of(line, upright);
+  const auto seen = [&](Vec3 v) { return dot_of(v, e) * line + dot_of(v, n) * upright + dot_of(v, c) * sideways; };
   const Vec3 axis = seen({0, 0, 1}), touched = seen({s.at.x, 0, s.at.y});
   const Vec3 tip = at - some_size(chance, -5, -1.5) * upright - touched;
   // The tool turns about an axis at right angles to its own, mostly so that the surface turns across the line.
-  Vec3 about = beside + (chance.below(2) == 0 ? 1.0 : 0.01) * Vec3{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
+  Vec3 about = sideways + (chance.below(2) == 0 ? 1.0 : 0.01) * Vec3{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
   about = about - dot_of(about, axis) * axis;
   const double turn = std::pow(10, chance.between(-3.5, -0.3));
   about = length(about) < 1e-3 ? Vec3{} : turn * unit_of(about);
   // The touched point of the tool moves along the surface.
-  const Vec3 way = some_size(chance, -4, 0.7) * line + some_size(chance, -4, 0.7) * beside + some_size(chance, -5, -1) * upright -
-                   cross_of(about, touched);
+  const Vec3 travel = some_size(chance, -4, 0.7) * line + some_size(chance, -4, 0.7) * sideways + some_size(chance, -5, -1) * upright -
+                      cross_of(about, touched);
   const double moment = chance.below(4) == 0 ? chance.between(0, 1) : 0.5 + some_size(chance, -4, -0.4);
   const auto turned = [&](double by) {
     const Vec3 aside_of = cross_of(about, axis);
     return length(about) == 0 ? axis : unit_of(std::cos(by * turn) * axis + (std::sin(by * turn) / turn) * aside_of);
   };
-  return {{tip - moment * way, tip + (1 - moment) * way, 0, false, turned(-moment), turned(1 - moment)}, family, at};
+  return {{tip - moment * travel, tip + (1 - moment) * travel, 0, false, turned(-moment), turned(1 - moment)}, family, at};
 }
 
 }  // namespace kadr

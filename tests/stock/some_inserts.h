@@ -45,20 +45,20 @@ inline ToolShape some_insert(Chance& chance) {
 }
 
 /// Returns a path along an axis, at any slant, without motion, from far away, or across the axis.
-inline Sweep some_way(Chance& chance) {
+inline Sweep some_sweep(Chance& chance) {
   const Vec3 through{chance.between(-12, 12), 0, chance.between(-4, 12)};
   const double far = std::pow(10, chance.between(-3, chance.below(8) == 0 ? 4 : 1.3)), angle = chance.between(0, 2 * pi);
-  Vec3 way{far * std::cos(angle), 0, far * std::sin(angle)};
+  Vec3 travel{far * std::cos(angle), 0, far * std::sin(angle)};
   switch (chance.below(7)) {
-    case 0: way.x = 0; break;
-    case 1: way.z = 0; break;
-    case 2: way.x *= 1e-5; break;
-    case 3: way.z *= 1e-5; break;
-    case 4: way = {}; break;
+    case 0: travel.x = 0; break;
+    case 1: travel.z = 0; break;
+    case 2: travel.x *= 1e-5; break;
+    case 3: travel.z *= 1e-5; break;
+    case 4: travel = {}; break;
     default: break;
   }
-  const Vec3 from = through - chance.between(0, 1) * way;
-  return {from, from + way, 0, false};
+  const Vec3 from = through - chance.between(0, 1) * travel;
+  return {from, from + travel, 0, false};
 }
 
 /// Returns the greatest distance, over all directions, from the planes behind which the hull of the swept corners lies. Directions are

@@ -85,35 +85,35 @@ inline ToolShape some_tool(Chance& chance, SomeTool which) {
 inline Sweep some_move(Chance& chance) {
   const Vec3 through{chance.between(-4, 12), chance.between(-4, 12), chance.between(-8, 8)};
   const double far = chance.below(8) == 0 ? 4 : 1.3, length_ = std::pow(10, chance.between(-3, far));
-  Vec3 way{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
-  way = (length_ / length(way)) * way;
+  Vec3 travel{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
+  travel = (length_ / length(travel)) * travel;
   switch (chance.below(11)) {
-    case 1: way.z = 0; break;
-    case 2: way.x = way.y = 0; break;
-    case 3: way.y = way.z = 0; break;
-    case 4: way.x = way.z = 0; break;
-    case 5: way.z *= 1e-4; break;
-    case 6: way.x *= 1e-5, way.y *= 1e-5; break;
-    case 7: way.y *= 1e-5, way.z *= 1e-5; break;
-    case 8: way.x *= 1e-5, way.z *= 1e-5; break;
-    case 9: way.x *= 0.05, way.y *= 0.05; break;
+    case 1: travel.z = 0; break;
+    case 2: travel.x = travel.y = 0; break;
+    case 3: travel.y = travel.z = 0; break;
+    case 4: travel.x = travel.z = 0; break;
+    case 5: travel.z *= 1e-4; break;
+    case 6: travel.x *= 1e-5, travel.y *= 1e-5; break;
+    case 7: travel.y *= 1e-5, travel.z *= 1e-5; break;
+    case 8: travel.x *= 1e-5, travel.z *= 1e-5; break;
+    case 9: travel.x *= 0.05, travel.y *= 0.05; break;
     default: break;
   }
   const double part = far > 2 ? chance.between(0, 1) : 0;
-  const Vec3 from = through - part * way;
-  return {from, from + way, 0, false};
+  const Vec3 from = through - part * travel;
+  return {from, from + travel, 0, false};
 }
 
 /// Returns the distance of a point from the volume swept by the tool; negative
 /// inside. Each solid is convex, so its distance has one minimum along the path.
 inline double from_swept(const ToolShape& tool, const Sweep& sweep, Vec3 at) {
   constexpr double golden = 0.6180339887498949;
-  const Vec3 way = sweep.to - sweep.from;
+  const Vec3 travel = sweep.to - sweep.from;
   double best = std::numeric_limits<double>::infinity();
   for (const ConvexBody& body : tool.bodies)
     for (const RoundSolid& solid : body.solids) {
       const auto away = [&](double s) {
-        const Vec3 from_tip = at - (sweep.from + s * way);
+        const Vec3 from_tip = at - (sweep.from + s * travel);
         return away_from(solid, std::hypot(from_tip.x, from_tip.y), from_tip.z).distance;
       };
       double low = 0, high = 1, a = 1 - golden, b = golden, at_a = away(a), at_b = away(b);

@@ -33,10 +33,10 @@ inline const Box3 block{{0, 0, -20}, {100, 100, 0}};
 
 /// Returns the stock after the tool has cut along the corners of the path.
 inline std::unique_ptr<Stock> cut_along(std::shared_ptr<const Blank> blank, double cell, const ToolShape& tool,
-                                        const std::vector<Vec3>& way, int threads = 2) {
+                                        const std::vector<Vec3>& path, int threads = 2) {
   auto stock = std::make_unique<Stock>(std::move(blank), cell, threads);
   const std::uint16_t number = stock->add_tool(tool);
-  for (std::size_t i = 1; i < way.size(); ++i) stock->add({way[i - 1], way[i], number, false});
+  for (std::size_t i = 1; i < path.size(); ++i) stock->add({path[i - 1], path[i], number, false});
   stock->cut();
   return stock;
 }

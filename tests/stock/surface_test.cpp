@@ -69,7 +69,7 @@ TEST(surface, a_cylinder) {
 /// A slot from side to side with a section of `section` mm²; the error of the
 /// faces between points is less than 0.05 % of it for each mm of the cell.
 TEST(surface, slots_have_their_section) {
-  const std::vector<Vec3> way{{50.0371, -20, -4.0437}, {50.0371, 120, -4.0437}};
+  const std::vector<Vec3> path{{50.0371, -20, -4.0437}, {50.0371, 120, -4.0437}};
   struct Case {
     ToolShape tool;
     double section;
@@ -81,7 +81,7 @@ TEST(surface, slots_have_their_section) {
                                       {tool_of(ToolKind::bull, 6), bull},
                                       {tool_of(ToolKind::taper, 6, 8), taper}})
     for (const double cell : {0.25, 0.5}) {
-      const auto stock = cut_along(box_blank(block), cell, tool, way);
+      const auto stock = cut_along(box_blank(block), cell, tool, path);
       const Surface surface = surface_of(*stock);
       expect_manifold(surface);
       EXPECT_NEAR(removed_by(surface), section * 100, section * 100 * 5e-4 * cell) << int(tool.geometry.kind) << " " << cell;
@@ -100,11 +100,11 @@ TEST(surface, a_t_slot_keeps_its_undercut) {
 
 TEST(surface, a_ring_of_chords) {
   const double r = 10, z = -8.0437;
-  std::vector<Vec3> way;
+  std::vector<Vec3> path;
   const int chords = 800;
   for (int k = 0; k <= chords; ++k)
-    way.push_back({50.0371 + r * std::cos(2 * pi * k / chords), 49.9613 + r * std::sin(2 * pi * k / chords), z});
-  const auto stock = cut_along(box_blank(block), 0.25, tool_of(ToolKind::flat, 6), way);
+    path.push_back({50.0371 + r * std::cos(2 * pi * k / chords), 49.9613 + r * std::sin(2 * pi * k / chords), z});
+  const auto stock = cut_along(box_blank(block), 0.25, tool_of(ToolKind::flat, 6), path);
   const Surface surface = surface_of(*stock);
   expect_manifold(surface);
   const double exact = pi * (13 * 13 - 7 * 7) * -z;

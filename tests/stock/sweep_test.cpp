@@ -15,7 +15,7 @@ namespace {
 constexpr double permitted = 1e-3;  // mm
 const Box3 block{{-1, -1, -1}, {9, 9, 9}};
 
-std::string sweeps_told(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePosition& p) {
+std::string sweeps_described(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePosition& p) {
   const ToolGeometry& g = tool.geometry;
   char text[600];
   std::snprintf(text, sizeof text, "diameter %.17g corner %.17g angle %.17g tip %.17g flutes %.17g, family %d place (%.9g %.9g %.9g)",
@@ -62,7 +62,7 @@ TEST(SweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
       double& most = worst[std::size_t(which)];
       most = std::max(most, std::fabs(distance));
       if (std::fabs(distance) > permitted && ++shown <= 8)
-        ADD_FAILURE() << name_of(which) << ", seed " << seed << ": wrong by " << distance << " mm; " << sweeps_told(tool, sweeps, p);
+        ADD_FAILURE() << name_of(which) << ", seed " << seed << ": wrong by " << distance << " mm; " << sweeps_described(tool, sweeps, p);
     }
   }
   for (int i = 0; i < some_tools; ++i) {

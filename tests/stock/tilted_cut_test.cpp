@@ -72,11 +72,11 @@ TEST(TiltedCut, TheProcessorsVectorsChangeNoBit) {
     for (int i = 0; i < 5; ++i) {
       const ToolShape tool = some_tool(chance, SomeTool(chance.below(some_tools)));
       const Sweep s = some_tilted_move(chance);
-      const TiltedPath way = TiltedPath{s.from, s.to, s.from_direction, s.to_direction}.between(0.5, 0.51);
-      const TiltedSweep sweep(way, {}, edge);
+      const TiltedPath path = TiltedPath{s.from, s.to, s.from_direction, s.to_direction}.between(0.5, 0.51);
+      const TiltedSweep sweep(path, {}, edge);
       for (const ConvexBody& body : tool.bodies) {
         const TiltedBody lean = tilted_body(body);
-        const LocalSweep tip = local_sweep(way.from, way.to, {1, 1, 1}, edge);
+        const LocalSweep tip = local_sweep(path.from, path.to, {1, 1, 1}, edge);
         const SweptBody upright = swept_body(body);
         const TiltedCut one{sweep, lean, tip, upright};
         CutOutcome by_pair, by_wide;

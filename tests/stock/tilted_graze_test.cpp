@@ -78,7 +78,7 @@ TEST(TiltedGrazeProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
       ++wrong;
       if (++shown <= 8)
         ADD_FAILURE() << name_of(which) << ", cell " << stock.lattice().cell() << ", seed " << seed << ": wrong by " << distance << " mm; "
-                      << told(tool, {grazing.sweep}, p);
+                      << described(tool, {grazing.sweep}, p);
     }
   }
   for (int i = 0; i < some_tools; ++i) {

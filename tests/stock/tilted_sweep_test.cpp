@@ -42,7 +42,7 @@ TEST(TiltedSweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
       double& most = worst[std::size_t(which)];
       most = std::max(most, std::fabs(distance));
       if (std::fabs(distance) > law && ++shown <= 8)
-        ADD_FAILURE() << name_of(which) << ", seed " << seed << ": wrong by " << distance << " mm; " << told(tool, sweeps, p);
+        ADD_FAILURE() << name_of(which) << ", seed " << seed << ": wrong by " << distance << " mm; " << described(tool, sweeps, p);
     }
   }
   for (int i = 0; i < some_tools; ++i) {

@@ -52,7 +52,7 @@ inline double from_tilted(const ToolShape& tool, const Sweep& sweep, Vec3 at) {
   return best;
 }
 
-inline std::string told(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePosition& p) {
+inline std::string described(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePosition& p) {
   char text[600];
   std::snprintf(text, sizeof text, "family %d place (%.9g %.9g %.9g)%s", p.family, p.at.x, p.at.y, p.at.z, p.is_end ? ", an end" : "");
   std::string all = text;

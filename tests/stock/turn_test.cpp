@@ -65,7 +65,7 @@ Place some_place_by_turning(const Stock& stock, Chance& chance) {
   return p;
 }
 
-std::string told(const ToolShape& tool, const Sweep& s, const Place& p) {
+std::string described(const ToolShape& tool, const Sweep& s, const Place& p) {
   char text[300];
   std::snprintf(text, sizeof text, "family %d place (%.9g %.9g %.9g) from (%.17g %.17g) to (%.17g %.17g) tip %d %d", p.family, p.at.x,
                 p.at.y, p.at.z, s.from.x, s.from.z, s.to.x, s.to.z, tool.geometry.insert.tip_x, tool.geometry.insert.tip_z);
@@ -89,8 +89,8 @@ TEST(TurnProperty, LeavesWhatLiesOutsideOfTheRings) {
   int shown = 0;
   for (int round = 0; looked_at < points; ++round) {
     const ToolShape tool = some_insert(chance);
-    std::vector<Sweep> sweeps{some_way(chance)};
-    while (round % 4 == 3 && sweeps.size() < 4) sweeps.push_back(some_way(chance));
+    std::vector<Sweep> sweeps{some_sweep(chance)};
+    while (round % 4 == 3 && sweeps.size() < 4) sweeps.push_back(some_sweep(chance));
     Stock stock(box_blank(bar), 0.5, 1);
     stock.add_tool(tool);
     for (const Sweep& s : sweeps) stock.add(s);
@@ -106,7 +106,7 @@ TEST(TurnProperty, LeavesWhatLiesOutsideOfTheRings) {
       if (!p.is_end && (distance > 0) == is_left(stock, p)) continue;
       worst = std::max(worst, std::fabs(distance));
       if (std::fabs(distance) > permitted && ++shown <= 5)
-        ADD_FAILURE() << "seed " << seed << ": wrong by " << distance << " mm; " << told(tool, nearest, p) << (p.is_end ? " end" : "");
+        ADD_FAILURE() << "seed " << seed << ": wrong by " << distance << " mm; " << described(tool, nearest, p) << (p.is_end ? " end" : "");
     }
   }
   EXPECT_GT(at_ends, points / 20);
@@ -121,7 +121,7 @@ TEST(TurnProperty, NormalIsTheGradientOfTheDistance) {
   int compared = 0;
   for (int round = 0; round < 400; ++round) {
     const ToolShape tool = some_insert(chance);
-    Sweep sweep = some_way(chance);
+    Sweep sweep = some_sweep(chance);
     if (length(sweep.to - sweep.from) > 50) continue;
     KeptSweep kept{{float(sweep.from.x), 0, float(sweep.from.z)}, {float(sweep.to.x), 0, float(sweep.to.z)}, 0, false, false};
     sweep.from = {double(kept.from[0]), 0, double(kept.from[2])}, sweep.to = {double(kept.to[0]), 0, double(kept.to[2])};
@@ -149,7 +149,7 @@ TEST(TurnProperty, NormalIsTheGradientOfTheDistance) {
     if (length(forth - back) > 0.02 || std::fabs(length(grows) - 1) > 0.02 || std::fabs(along(grows, family)) < 0.05) continue;
     const Vec3 normal = turned_normal(kept, tool, {outside, family, false}, {});
     ++compared;
-    EXPECT_LT(length(normal + grows), 0.03) << "round " << round << " " << told(tool, sweep, {0, family, 0, 0, outside});
+    EXPECT_LT(length(normal + grows), 0.03) << "round " << round << " " << described(tool, sweep, {0, family, 0, 0, outside});
   }
   EXPECT_GT(compared, 40);
 }
@@ -190,13 +190,13 @@ TEST(turn, a_ball) {
   // The path consists of chords within 0.2 µm of the circle. The lower edge rises outwards, so the tip cuts.
   ToolGeometry g = insert(-1, 0, 30, 0, 30);
   g.insert.lead = 93;
-  std::vector<Vec3> way;
+  std::vector<Vec3> path;
   for (int i = 0; i <= 400; ++i) {
     const SinCos at = sincos_deg(i * 90.0 / 400);
-    way.push_back({15 * at.sin, 0, -15 + 15 * at.cos});
+    path.push_back({15 * at.sin, 0, -15 + 15 * at.cos});
   }
-  way.push_back({25, 0, -15});
-  const auto stock = test::cut_along(rod(40), 0.5, shape_of(g), way);
+  path.push_back({25, 0, -15});
+  const auto stock = test::cut_along(rod(40), 0.5, shape_of(g), path);
   expect_volume(*stock, pi * 20 * 20 * 25.0 + 2.0 / 3 * pi * 15 * 15 * 15);
 }
 
@@ -229,16 +229,16 @@ TEST(turn, a_nose_radius_stands_where_its_imaginary_tip_is) {
 TEST(turn, same_bits_for_any_number_of_threads_and_in_the_past) {
   Chance chance(7);
   const ToolShape tool = some_insert(chance);
-  std::vector<Vec3> way{{25, 0, 2}};
-  for (int i = 0; i < 60; ++i) way.push_back({chance.between(4, 22), 0, chance.between(-35, 1)});
-  const auto one = test::cut_along(rod(40), 0.5, tool, way, 1), three = test::cut_along(rod(40), 0.5, tool, way, 3);
+  std::vector<Vec3> path{{25, 0, 2}};
+  for (int i = 0; i < 60; ++i) path.push_back({chance.between(4, 22), 0, chance.between(-35, 1)});
+  const auto one = test::cut_along(rod(40), 0.5, tool, path, 1), three = test::cut_along(rod(40), 0.5, tool, path, 3);
   Stock kept(rod(40), 0.5, 2);
   kept.keep_past(1 << 20);
   kept.add_tool(tool);
-  for (std::size_t i = 1; i < way.size(); ++i) kept.add({way[i - 1], way[i], 0, false});
+  for (std::size_t i = 1; i < path.size(); ++i) kept.add({path[i - 1], path[i], 0, false});
   kept.cut();
   const Stock then = kept.at(20);
-  const auto first = test::cut_along(rod(40), 0.5, tool, {way.begin(), way.begin() + 21}, 2);
+  const auto first = test::cut_along(rod(40), 0.5, tool, {path.begin(), path.begin() + 21}, 2);
   const auto same = [](const Stock& a, const Stock& b) {
     for (std::size_t i = 0; i < a.lattice().size(); ++i) {
       ASSERT_EQ(a.state(i), b.state(i));

@@ -77,9 +77,9 @@ TEST(blank_window, is_cut_as_the_whole_is) {
   double exact = 0;  // volume of the slot inside the window, summed in strips
   constexpr int strips = 20'000;
   for (int i = 0; i < strips; ++i) {
-    const double y = 20 + (i + 0.5) * 12.6 / strips, beside = y - 30;
-    if (std::abs(beside) < 5)
-      exact += (50.1 - std::max(25.3, 30 - (beside < 0 ? std::sqrt(25 - beside * beside) : 5.0))) * 5 * 12.6 / strips;
+    const double y = 20 + (i + 0.5) * 12.6 / strips, off_centre = y - 30;
+    if (std::abs(off_centre) < 5)
+      exact += (50.1 - std::max(25.3, 30 - (off_centre < 0 ? std::sqrt(25 - off_centre * off_centre) : 5.0))) * 5 * 12.6 / strips;
   }
   EXPECT_NEAR(volume_of(surface_of(Stock(part->blank().volume() > 0 ? blank_within(box_blank(block), window) : nullptr, 0.1, 1))) - left,
               exact, 0.001 * exact);

@@ -8,7 +8,7 @@ namespace kadr::xml_scan_test {
 namespace {
 
 /// Returns elements such as "+a(x=1) -a", then the fault if there is one.
-std::string told_elements(std::string_view text) {
+std::string described_elements(std::string_view text) {
   XmlScan scan(text);
   std::string out;
   while (true) {
@@ -28,7 +28,7 @@ std::string told_elements(std::string_view text) {
 TEST(xml_scan, elements_in_their_order) {
   const struct {
     const char* text;
-    const char* told;
+    const char* described;
   } rows[] = {
       {"<a/>", "+a1-a"},
       {"<?xml version='1.0'?><!-- <x> --><a><b x='1'/>text<b x=\"2\"></b></a>", "+a1+b(1)2-b+b(2)2-b-a"},
@@ -45,15 +45,15 @@ TEST(xml_scan, elements_in_their_order) {
       {"<!DOCTYPE a [<!ENTITY e SYSTEM 'file:///etc/passwd'>]><a>&e;</a>",
        "!line 1, column 13: a document type is not taken: it could name other files"},
   };
-  for (const auto& row : rows) EXPECT_EQ(told_elements(row.text), row.told) << row.text;
+  for (const auto& row : rows) EXPECT_EQ(described_elements(row.text), row.described) << row.text;
 }
 
 TEST(xml_scan, depth_and_length_are_bounded) {
   std::string deep;
   for (int i = 0; i < 100; ++i) deep += "<a>";
-  EXPECT_EQ(told_elements(deep).substr(64 * 2 + 9 + 2 * 55), "!line 1, column 193: elements too deep in each other");
+  EXPECT_EQ(described_elements(deep).substr(64 * 2 + 9 + 2 * 55), "!line 1, column 193: elements too deep in each other");
   const std::string much = "<a x='" + std::string(50'000'000, '1');
-  EXPECT_EQ(told_elements(much + "'/>"), "!line 1, column 1: a tag or a comment is too long");
+  EXPECT_EQ(described_elements(much + "'/>"), "!line 1, column 1: a tag or a comment is too long");
   std::string wide = "<a>";
   for (int i = 0; i < 200'000; ++i) wide += "<b x='1'/>\n";
   XmlScan scan(wide += "</a>");

@@ -38,10 +38,10 @@ std::string wavy(int blocks) {
 Vec3 place(const PathVertex& v) { return {double(v.at[0]), double(v.at[1]), double(v.at[2])}; }
 
 double distance(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 way = b - a, from = p - a;
-  const double square = way.x * way.x + way.y * way.y + way.z * way.z;
-  const double along = square > 0 ? std::clamp((from.x * way.x + from.y * way.y + from.z * way.z) / square, 0.0, 1.0) : 0;
-  return length(from - along * way);
+  const Vec3 delta = b - a, from = p - a;
+  const double square = delta.x * delta.x + delta.y * delta.y + delta.z * delta.z;
+  const double along = square > 0 ? std::clamp((from.x * delta.x + from.y * delta.y + from.z * delta.z) / square, 0.0, 1.0) : 0;
+  return length(from - along * delta);
 }
 
 TEST(ReportPath, IsWholeWhereThereIsRoom) {

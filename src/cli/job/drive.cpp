@@ -75,13 +75,13 @@ std::optional<Exit> PartOfProgram::go_there(Session& session, const Job& job) {
   Outlets& outlets = session.outlets();
   outlets.silent = true;
   outlets.alarm = [&job](const AlarmReport& report) {
-    say(alarm_text(report, job.texts(), job.lang, colours()));
+    write_message(alarm_text(report, job.texts(), job.lang, colours()));
     return false;
   };
   const Session::State state = stepping_->go_to(from_);
   if (state == Session::State::held) {
     const std::string begins = translated(texts::job::run_begins_here);
-    say(fmt::format("{}\n{}\n{}", place_text(stepping_->line()), begins, in_force_text(session.control().in_force(), job.lang)));
+    write_message(fmt::format("{}\n{}\n{}", place_text(stepping_->line()), begins, in_force_text(session.control().in_force(), job.lang)));
     return std::nullopt;
   }
   const std::string place = fmt::format("{}:{}", job.file, from_.line);

@@ -18,11 +18,11 @@ constexpr std::size_t max_lines = 8;  // greatest number of program lines that a
 }  // namespace
 
 void Found::print(const std::string& text) const {
-  if (to_ == stderr) say_coloured(text);
+  if (to_ == stderr) write_coloured_message(text);
   else type_into(to_, text);
 }
 
-void Found::tell(const AlarmReport& report) {
+void Found::print_report(const AlarmReport& report) {
   if (!every_ && report.alarm.severity != Severity::alarm) {
     const auto [at, is_first] = repeated_.try_emplace({report.file, report.alarm.id});
     Repeated& seen = at->second;

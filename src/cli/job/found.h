@@ -19,7 +19,7 @@ class Found {
   ///   every  true: every finding is printed in full
   Found(const AlarmTexts& texts, Lang lang, std::FILE* to, bool every) : texts_(texts), lang_(lang), to_(to), every_(every) {}
 
-  void tell(const AlarmReport& report);
+  void print_report(const AlarmReport& report);
   /// Prints the lines that sum up the counted findings. Call this function once, at the end.
   void finish();
 

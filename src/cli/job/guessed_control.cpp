@@ -16,12 +16,12 @@ namespace kadr::cli {
 namespace {
 
 GivenEncoding encoding_of(const Options& options) {
-  GivenEncoding said;
-  (void)read_encoding(options.encoding, said);  // the result is ignored, since make_job() reports an unknown encoding later
-  return said;
+  GivenEncoding given;
+  (void)read_encoding(options.encoding, given);  // the result is ignored, since make_job() reports an unknown encoding later
+  return given;
 }
 
-void say_guess(const Options& options, const std::string& file, const Guess& guess) {
+void print_guess(const Options& options, const std::string& file, const Guess& guess) {
   const Lang lang = language(options);
   const std::string& reason = lang == Lang::ru ? guess.reason_ru : guess.reason_en;
   if (guess.control.empty()) return complain(translated_in(lang, texts::job::unknown_control, file, reason));
@@ -70,7 +70,7 @@ GuessedControls::GuessedControls(const Options& options, const std::vector<std::
       forgotten_(forgotten_of(options, files)),
       guesses_({[&options](const std::string& file) { return named_control(options, file); }, encoding_of(options)}, files) {}
 
-void GuessedControls::say(const std::string& file, const FolderGuess::Neighbours& neighbours) const {
+void GuessedControls::print_neighbours(const std::string& file, const FolderGuess::Neighbours& neighbours) const {
   const Lang lang = language(options_);
   const auto& [common, shown_by, reason_en, reason_ru] = neighbours;
   const std::string& reason = lang == Lang::ru ? reason_ru : reason_en;
@@ -97,8 +97,8 @@ std::optional<std::string> GuessedControls::of(const std::string& file) const {
     if (!beginning_of_program(file, encoding_of(options_))) complain(fmt::format("{}: {}", file, errno_message(errno)));
     return std::nullopt;
   }
-  if (found->neighbours) say(file, *found->neighbours);
-  else say_guess(options_, file, found->guess);
+  if (found->neighbours) print_neighbours(file, *found->neighbours);
+  else print_guess(options_, file, found->guess);
   return found->control();
 }
 

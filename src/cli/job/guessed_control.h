@@ -27,7 +27,7 @@ class GuessedControls {
   std::optional<std::string> of(const std::string& file) const;
 
  private:
-  void say(const std::string& file, const FolderGuess::Neighbours& neighbours) const;
+  void print_neighbours(const std::string& file, const FolderGuess::Neighbours& neighbours) const;
   bool refuses(const std::string& file, const std::string& control) const;
 
   const Options& options_;

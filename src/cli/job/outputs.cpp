@@ -136,8 +136,8 @@ bool Outputs::keep(const std::vector<std::string>& read) {
     }
   for (Output& output : outputs_) {
     if (!output.file) continue;
-    if (const auto kept = output.file->keep(); !kept) {
-      if (!kept.error().empty()) complain(kept.error());
+    if (const auto saved = output.file->keep(); !saved) {
+      if (!saved.error().empty()) complain(saved.error());
       return false;
     }
   }

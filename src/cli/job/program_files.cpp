@@ -25,8 +25,8 @@ bool looks_like_program(const std::string& path) {
 }
 
 bool is_program(const fs::path& path) {
-  const NameVerdict tells = judge_name(path.string());
-  return tells == NameVerdict::nothing ? looks_like_program(path.string()) : tells == NameVerdict::program;
+  const NameVerdict verdict = judge_name(path.string());
+  return verdict == NameVerdict::nothing ? looks_like_program(path.string()) : verdict == NameVerdict::program;
 }
 
 /// Searches folders one after the other in a loop. Recursion is not used, since deeply nested folders could exceed the stack.

@@ -18,7 +18,7 @@ namespace {
 constexpr auto first_after = std::chrono::milliseconds(800);
 constexpr auto again_after = std::chrono::milliseconds(200);
 constexpr int max_width = 40, least_width = 5;  // greatest and least length of the bar, in characters
-constexpr int beside = 12;                      // number of characters for the brackets, the percentage, and a gap before the last column
+constexpr int reserved = 12;                    // number of characters for the brackets, the percentage, and a gap before the last column
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void Progress::show(double part, const std::string& what) {
   last_ = Clock::now();
   part = std::clamp(part, 0.0, 1.0);
   // the gap is needed, since a terminal might wrap a full line
-  const int room = terminal_width() - beside - static_cast<int>(characters_before(what, what.size()));
+  const int room = terminal_width() - reserved - static_cast<int>(characters_before(what, what.size()));
   if (room < least_width) return;
   const int width = std::min(room, max_width), full = static_cast<int>(part * width);
   show_bar(fmt::format("[{}{}] {:3.0f} %  {}", std::string(static_cast<std::size_t>(full), '#'),

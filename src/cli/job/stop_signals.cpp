@@ -29,7 +29,7 @@ constexpr int first_of_signals = 128;
 // time that a command has to end by itself; with it, every command ends within 0.2 s
 constexpr auto grace = std::chrono::milliseconds(150);
 
-std::atomic<bool> asked = false;
+std::atomic<bool> stop_requested = false;
 
 constexpr std::array ending = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
@@ -64,7 +64,7 @@ void watch(int signals) {
   while (::poll(&sent, 1, -1) < 0)
     if (errno != EINTR) return;
   const int signal = pending();
-  asked = true;
+  stop_requested = true;
   std::this_thread::sleep_for(grace);
   ResultFile::discard_all();
   erase_bar();
@@ -81,7 +81,7 @@ void handle_instead(const sigset_t& signals) {
   struct sigaction how {};
   how.sa_handler = [](int signal) {  // NOLINT: a union
     handled = signal;
-    asked = true;
+    stop_requested = true;
     const itimerval after = {{0, 0}, {0, std::chrono::microseconds(grace).count()}};
     (void)::setitimer(ITIMER_REAL, &after, nullptr);
   };
@@ -103,7 +103,7 @@ void catch_interrupts() {
   handle_instead(signals);
 }
 
-StopToken stop_token() { return StopToken(asked); }
+StopToken stop_token() { return StopToken(stop_requested); }
 bool interrupted() { return pending() != 0; }
 int interrupted_status() { return first_of_signals + pending(); }
 

@@ -30,7 +30,7 @@ void erase_shown() {
   characters_shown = 0;
 }
 
-bool says(const char* variable) {
+bool is_set(const char* variable) {
   const char* const value = std::getenv(variable);
   return value != nullptr && *value != '\0';
 }
@@ -40,7 +40,7 @@ bool says(const char* variable) {
 bool has_colours() {
   static const bool has = [] {
     const char* const kind = std::getenv("TERM");
-    return ::isatty(STDERR_FILENO) != 0 && !says("NO_COLOR") && kind != nullptr && *kind != '\0' && std::string_view(kind) != "dumb";
+    return ::isatty(STDERR_FILENO) != 0 && !is_set("NO_COLOR") && kind != nullptr && *kind != '\0' && std::string_view(kind) != "dumb";
   }();
   return has;
 }
@@ -65,19 +65,19 @@ int terminal_width() {
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
 }
 
-void say_coloured(const std::string& text) {
+void write_coloured_message(const std::string& text) {
   const std::lock_guard lock(writing);
   erase_shown();
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-void say(const std::string& text) { say_coloured(visible(text)); }
+void write_message(const std::string& text) { write_coloured_message(visible(text)); }
 
 void write_data(std::FILE* to, std::string_view data) { std::fwrite(data.data(), 1, data.size(), to); }
 
 void type_into(std::FILE* to, std::string_view text) { write_data(to, visible(text)); }
 
-void complain(const std::string& text) { say("kadr: " + text + "\n"); }
+void complain(const std::string& text) { write_message("kadr: " + text + "\n"); }
 
 void complain_of_writing(const std::string& name, int error) {
   if (error != EPIPE) complain(name + ": " + errno_message(error));

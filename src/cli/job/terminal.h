@@ -29,9 +29,9 @@ int terminal_width();
 inline Colours colours() { return has_colours() ? Colours::terminal : Colours::none; }
 
 /// Prints text for people on standard error. Control characters are replaced by symbols (␀ …).
-void say(const std::string& text);
+void write_message(const std::string& text);
 /// Prints text that alarm_text() has returned. The text may contain colours, and its control characters have already been replaced.
-void say_coloured(const std::string& text);
+void write_coloured_message(const std::string& text);
 
 /// Writes data for other programs without changes. The owner of the stream must check that the data was written.
 void write_data(std::FILE* to, std::string_view data);

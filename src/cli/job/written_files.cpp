@@ -34,9 +34,9 @@ void print_unwritten(const Options& options, const std::vector<Channel>& channel
   std::size_t shown = 0;
   for (const auto& [path, bytes] : files) {
     if (++shown > max_shown) break;
-    say(fmt::format("  {:<30} {}\n", path, counted_in(lang, texts::job::bytes, bytes)));
+    write_message(fmt::format("  {:<30} {}\n", path, counted_in(lang, texts::job::bytes, bytes)));
   }
-  if (files.size() > max_shown) say(fmt::format("  … {}\n", files.size()));
+  if (files.size() > max_shown) write_message(fmt::format("  … {}\n", files.size()));
 }
 
 std::vector<std::string> files_read(const std::vector<Channel>& channels) {

@@ -55,8 +55,8 @@ void command_of(const CLI::App& app, std::string& page) {
   options_of(app, page);
   for (const CLI::App* const sub : app.get_subcommands([](const CLI::App*) { return true; })) command_of(*sub, page);
   const CLI::App* const above = app.get_parent();
-  const bool told_above = above != nullptr && above->get_footer() == app.get_footer();
-  if (!app.get_footer().empty() && !told_above) page += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(app.get_footer()));
+  const bool printed_above = above != nullptr && above->get_footer() == app.get_footer();
+  if (!app.get_footer().empty() && !printed_above) page += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(app.get_footer()));
 }
 
 void section(PlainText heading, const std::string& text, std::string& page) {

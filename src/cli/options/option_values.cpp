@@ -59,7 +59,7 @@ CLI::Option* id_of(CLI::Option* option, std::vector<std::string> (*ids)(), std::
 }
 
 /// Returns the message for a word that is not a number within the limits.
-std::string number_wanted(const std::string& word, bool whole, double least, double most) {
+std::string number_error(const std::string& word, bool whole, double least, double most) {
   namespace wanted = texts::option_values;
   const auto text = [](double n) { return std::abs(n) < 1e15 ? fmt::format("{:.15g}", n) : fmt::format("{}", n); };
   if (std::isinf(least) && std::isinf(most)) return translated(whole ? wanted::whole_number : wanted::number, word);
@@ -74,7 +74,7 @@ CLI::Option* limited(CLI::Option* option, bool whole, double least, double most)
     const bool is_one = end != word.c_str() && *end == '\0' && !std::isnan(value) &&
                         (!whole || word.find_first_not_of("+-0123456789") == std::string::npos);
     if (is_one && value >= least && value <= most) return std::string();
-    return number_wanted(word, whole, least, most);
+    return number_error(word, whole, least, most);
   };
   return option->check(CLI::Validator(check, ""));
 }
@@ -120,8 +120,8 @@ CLI::Option* machine_id(CLI::Option* option) { return id_of(option, built_in_mac
 
 CLI::Option* encoding(CLI::Option* option) {
   const auto knows = [](std::string_view word) {
-    GivenEncoding said;
-    return read_encoding(word, said);
+    GivenEncoding given;
+    return read_encoding(word, given);
   };
   return known_by(option, translated(texts::option_values::encoding_name), knows, encodings());
 }

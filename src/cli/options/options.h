@@ -108,7 +108,7 @@ int diff(const DiffOptions& options);
 struct ConvertOptions {
   std::string program;
   Options run;  // options with which the program runs on its own control
-  std::string from, to, out, setup_out, way, encoding_out;
+  std::string from, to, out, setup_out, method, encoding_out;
   bool flat = false, force = false, explain = false;
   double tolerance = 0;  // permitted distance between the two paths, mm; 0: usual_tolerance() of the conversion
 };

@@ -45,7 +45,7 @@ struct CodeRow {
   bool takes_all_axes = false;  // the file has `*` in `takes`, which means that the code uses every axis word of the channel
   bool works = true;            // Kadr implements the code
   bool in_part = false;         // Kadr implements only a part of the code; the notes say what is missing
-  bool told = false;            // the control reports the code to the machine although it executes the code itself (nct 13.1)
+  bool reported = false;        // the control reports the code to the machine although it executes the code itself (nct 13.1)
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -347,7 +347,7 @@ struct ControlDef {
   }
   /// Returns true if codes that call and end programs are reported to the machine's logic (nct 13.1).
   bool reports_program_ends() const {
-    return std::any_of(codes.begin(), codes.end(), [](const CodeRow& row) { return row.told; });
+    return std::any_of(codes.begin(), codes.end(), [](const CodeRow& row) { return row.reported; });
   }
   /// Returns true if the control may raise this alarm, because its file has a row for it. Some checks are made only in this case, see
   /// `[alarms]` in docs/own-control.md.

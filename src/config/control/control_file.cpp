@@ -76,7 +76,7 @@ void take_away(toml::table& merged_table) {
 }
 
 /// Finds a row, or a key of a section without rows, that only repeats a value of the base control. Returns a message with its location.
-std::optional<std::string> said_again(const toml::table& under, const toml::table& over, const std::string& file) {
+std::optional<std::string> repeated_row(const toml::table& under, const toml::table& over, const std::string& file) {
   constexpr std::string_view with_rows[] = {"g", "m", "address", "groups", "cycle", "alarms"};
   constexpr std::string_view one_by_one[] = {"grammar", "behaviour", "axes", "order", "feed_codes", "speed_codes", "convert"};
   const auto each = [&](std::string_view name, bool rows) -> std::optional<std::string> {
@@ -159,7 +159,7 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   for (const std::string_view own : {"aliases", "guess"}) under->erase(own);
   if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>())
     forget_sections(*under);
-  if (const auto fault = is_built_in(file) ? std::nullopt : said_again(*under, *table, file)) return Failed(*fault);
+  if (const auto fault = is_built_in(file) ? std::nullopt : repeated_row(*under, *table, file)) return Failed(*fault);
   lay_operations(*under, *table);
   lay_variables(*under, *table);
   if (toml::table* const alarms = (*table)["alarms"].as_table(); alarms != nullptr && (*alarms)["alone"].value_or(false)) {

@@ -114,8 +114,8 @@ class ControlLoader {
   /// Converts letters such as "XYZ" to a letter mask. Every letter must be an address of this control; this is checked when all sections
   /// have been read.
   std::uint64_t letters(const std::string& text) const;
-  /// Converts the text of a key to a letter mask. If a character is neither a letter nor in `beside`, load() fails.
-  std::uint64_t letters(const toml::table& row, std::string_view key, std::string_view beside = "");
+  /// Converts the text of a key to a letter mask. If a character is neither a letter nor in `also_allowed`, load() fails.
+  std::uint64_t letters(const toml::table& row, std::string_view key, std::string_view also_allowed = "");
   static std::uint64_t letter_bit_of(char c) { return std::uint64_t{1} << (c - 'A'); }
   Done codes(std::string_view key, char letter);
   Done code(char letter, double number, const toml::table& row);

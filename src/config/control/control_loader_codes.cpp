@@ -62,10 +62,10 @@ std::uint64_t ControlLoader::letters(const std::string& text) const {
   return bits;
 }
 
-std::uint64_t ControlLoader::letters(const toml::table& row, std::string_view key, std::string_view beside) {
+std::uint64_t ControlLoader::letters(const toml::table& row, std::string_view key, std::string_view also_allowed) {
   const std::string all = text(row, key);
   for (const char c : all)
-    if (letters(std::string(1, c)) == 0 && beside.find(c) == std::string_view::npos && bad_value_.empty())
+    if (letters(std::string(1, c)) == 0 && also_allowed.find(c) == std::string_view::npos && bad_value_.empty())
       bad_value_ = place(name_, row, key) + translated(texts::control_file_codes::letters_of_code, key);
   return letters(all);
 }
@@ -123,7 +123,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   c.needs_axis = typed(row, "needs_axis", false);
   c.works = typed(row, "works", true);
   c.in_part = typed(row, "in_part", false);
-  c.told = typed(row, "told", false);
+  c.reported = typed(row, "told", false);
   if (const toml::array* const with = list(row, "with"))
     for (const auto& other : *with) {
       const std::string code = other.value_exact<std::string>().value_or(std::string());

@@ -156,7 +156,7 @@ bool stands_before(const Row& a, const Row& b) {
 /// Decides by the scores alone. A control with a mark that identifies it by itself needs only a small margin over the next control. Several
 /// weaker marks need a large margin. Hints alone decide nothing.
 void decide(Guess& guess) {
-  constexpr double lead = 2, great_lead = 6, more_than_hint = 5;
+  constexpr double margin = 2, great_margin = 6, more_than_hint = 5;
   auto ranked = guess.scores;
   std::stable_sort(ranked.begin(), ranked.end(), stands_before<std::pair<std::string, double>>);
   guess.control = ranked[0].first;
@@ -164,7 +164,7 @@ void decide(Guess& guess) {
     if (guess.scores[i].first == guess.control) std::tie(guess.reason_en, guess.reason_ru) = guess.reasons[i];
   const double mark = guess.strongest_marks[guess.control], before = ranked[0].second - ranked[1].second;
   guess.decisive = ranked[0].second >= decisive_weight &&
-                   ((mark >= decisive_weight && before >= lead) || (mark >= more_than_hint && before >= great_lead));
+                   ((mark >= decisive_weight && before >= margin) || (mark >= more_than_hint && before >= great_margin));
 }
 
 Guess guess_of(const std::vector<Candidate>& candidates) {
@@ -328,13 +328,13 @@ CommonGuess common_guess(const std::vector<Guess>& guesses) {
 }
 
 bool may_be(const Guess& guess, const CommonGuess& neighbours, bool same_ending) {
-  constexpr double most_behind = 6;
+  constexpr double most_below = 6;
   const auto score_in = [](const auto& scores, const std::string& id) {
     const auto found = std::find_if(scores.begin(), scores.end(), [&](const auto& row) { return row.first == id; });
     return found == scores.end() ? -decisive_weight : found->second;
   };
   if (!neighbours.dialect.empty()) return score_in(guess.dialect_scores, neighbours.dialect) >= (same_ending ? 0 : 1);
-  return score_in(guess.scores, neighbours.control) + most_behind >= score_in(guess.scores, guess.control);
+  return score_in(guess.scores, neighbours.control) + most_below >= score_in(guess.scores, guess.control);
 }
 
 }  // namespace kadr

@@ -47,8 +47,8 @@ std::optional<std::size_t> end_of_signs(std::string_view line, std::size_t at, s
     const bool escaped = pattern[i] == '\\' && i + 1 < pattern.size();
     const char sign = escaped ? pattern[++i] : pattern[i];
     if (escaped && sign == '*') {  // \* matches any text; the search tries the shortest match first
-      for (std::size_t behind = at; behind <= line.size(); ++behind)
-        if (const auto end = end_of_signs(line, behind, pattern.substr(i + 1))) return end;
+      for (std::size_t after = at; after <= line.size(); ++after)
+        if (const auto end = end_of_signs(line, after, pattern.substr(i + 1))) return end;
       return std::nullopt;
     }
     const auto size = escaped && is_class(sign)              ? taken(sign, line, at)

@@ -53,9 +53,9 @@ void EdgeList::line(Vec2 from, Vec2 to) { add({from, to}); }
 
 void EdgeList::bulged(Vec2 from, Vec2 to, double bulge) {
   if (!(std::abs(bulge) > 1)) return add({from, to, bulge});
-  const Vec2 way = to - from;
+  const Vec2 delta = to - from;
   // Middle of the arc. Its distance from the chord (sagitta) is bulge · chord / 2.
-  const Vec2 middle = 0.5 * (from + to) + (bulge / 2) * Vec2{way.y, -way.x};
+  const Vec2 middle = 0.5 * (from + to) + (bulge / 2) * Vec2{delta.y, -delta.x};
   const double half = std::tan(std::atan(bulge) / 2);
   add({from, middle, half});
   add({middle, to, half});

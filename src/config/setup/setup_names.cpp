@@ -101,9 +101,9 @@ bool has(const ControlDef& def, SetupNeeds needs) {
 
 std::vector<WorkSystem> work_systems(const ControlDef& def) {
   std::vector<WorkSystem> systems;
-  const auto add = [&](const CodeRow& row, int from, int to, std::uint32_t behind) {
+  const auto add = [&](const CodeRow& row, int from, int to, std::uint32_t number_before) {
     for (int p = from; p <= to; ++p)
-      systems.push_back({fmt::format("{} P{}", row.code, p), behind + static_cast<std::uint32_t>(p), row.works});
+      systems.push_back({fmt::format("{} P{}", row.code, p), number_before + static_cast<std::uint32_t>(p), row.works});
   };
   std::uint32_t plain = 0;
   for (const CodeRow& row : def.codes) {

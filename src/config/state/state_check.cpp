@@ -55,9 +55,9 @@ bool in_use(const std::string& path) {
   lock.l_whence = SEEK_SET;
   lock.l_start = lock_bytes;
   lock.l_len = lock_count;
-  const bool asked = ::fcntl(file, F_GETLK, &lock) == 0;
+  const bool is_known = ::fcntl(file, F_GETLK, &lock) == 0;
   ::close(file);
-  return asked && lock.l_type != F_UNLCK;
+  return is_known && lock.l_type != F_UNLCK;
 }
 
 /// Copies the file and its log into the temporary folder, and returns the path of the copy.

@@ -77,7 +77,7 @@ int write_out(const std::string& path, const unsigned char* bytes, sqlite3_int64
 }
 
 /// Renames a file if no file with the new name exists. Returns 0, or the errno of the failure.
-int name_anew(const std::string& from, const std::string& to) {
+int rename_file(const std::string& from, const std::string& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
   // link() fails if the new name exists, and also works on file systems without RENAME_NOREPLACE
@@ -109,11 +109,11 @@ Done make_state(const std::string& path, const std::string& control, const std::
   sqlite3_int64 size = 0;
   const Image image = image_of(control, rows, size);
   if (!image) return tl::unexpected(translated(texts::state_file::cannot_be_made, path));
-  const std::string beside = path + ".new-" + std::to_string(::getpid());
-  int error = write_out(beside, image.get(), size);
-  if (error == 0) error = name_anew(beside, path);
+  const std::string temporary = path + ".new-" + std::to_string(::getpid());
+  int error = write_out(temporary, image.get(), size);
+  if (error == 0) error = rename_file(temporary, path);
   if (error == 0) return {};
-  ::unlink(beside.c_str());
+  ::unlink(temporary.c_str());
   if (error == EEXIST) return tl::unexpected(translated(texts::state_file::there_already, path));
   if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;  // both error codes mean that the folder does not exist
   return tl::unexpected(translated(texts::state_file::cannot_be_made_why, path, errno_message(error)));

@@ -46,8 +46,8 @@ std::string parse_error_message(std::string_view description) {
       {"comment", texts::toml_faults::wrong_comment},
   };
   constexpr std::string_view begin = "Error while parsing ";
-  for (const auto& [english, said] : what)
-    if (description.find(std::string(begin) + std::string(english)) != std::string_view::npos) return translated(said);
+  for (const auto& [english, translation] : what)
+    if (description.find(std::string(begin) + std::string(english)) != std::string_view::npos) return translated(translation);
   return translated(texts::toml_faults::no_toml);
 }
 

@@ -38,9 +38,9 @@ std::optional<double> number_after(std::string_view line, char letter) {
 /// Derives the kind of a tool from its comment in the table: "6mm ball nose", "drill 118 deg".
 ToolKind kind_in_words(std::string_view comment) {
   const std::string words = in_small_letters(comment);
-  const auto says = [&](std::string_view word) { return words.find(word) != std::string::npos; };
-  if (says("ball")) return ToolKind::ball;
-  if (says("drill")) return ToolKind::drill;
+  const auto has_word = [&](std::string_view word) { return words.find(word) != std::string::npos; };
+  if (has_word("ball")) return ToolKind::ball;
+  if (has_word("drill")) return ToolKind::drill;
   return ToolKind::flat;
 }
 

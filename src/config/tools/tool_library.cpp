@@ -256,10 +256,10 @@ tl::expected<ToolLibrary, std::string> tools_of_toml(std::string_view text, cons
     if (!row.is_table()) return Failed(place(file, row) + translated(texts::tool_library::no_table));
     auto tool = tool_of(file, *row.as_table());
     if (!tool) return Failed(tool.error());
-    ToolGeometry said = *tool;
+    ToolGeometry stated = *tool;
     for (const std::string_view key : {"flute_length", "length"})
-      if (!row.as_table()->contains(key_in(*row.as_table(), key))) (key == "length" ? said.length : said.flutes) = 0;
-    if (assume_heights(said)) assumed.push_back(tool->number);
+      if (!row.as_table()->contains(key_in(*row.as_table(), key))) (key == "length" ? stated.length : stated.flutes) = 0;
+    if (assume_heights(stated)) assumed.push_back(tool->number);
     if (const Done added = add_tool(file, *row.as_table(), std::move(*tool), library); !added) return Failed(added.error());
     for (const OldKey& k : old_keys)
       if (row.as_table()->contains(k.old)) old.insert(k.old);

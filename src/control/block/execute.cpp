@@ -71,7 +71,7 @@ Status Interpreter::execute(const PlanItem& item) {
   dialect->before_function(*this, function);
   // The code is stored before the call, because a jump may make another block the current one.
   const std::int32_t code = w != nullptr ? w->code : -1;
-  if (row != nullptr && row->told) report_to_machine(code);
+  if (row != nullptr && row->reported) report_to_machine(code);
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
   if (row != nullptr) dialect->after_code(*this, *row, code);
@@ -90,7 +90,7 @@ bool Interpreter::execute_call(std::uint8_t word) {
   journal.begin();
   const std::size_t actions = batch->size();
   if (!evaluate_words()) return false;
-  if (row.told) report_to_machine(w.code);
+  if (row.reported) report_to_machine(w.code);
   if (!handler_of(row.function)(*this, {&row, &w, w.where})) {
     batch->cut(actions);
     return false;
@@ -175,8 +175,8 @@ Status Interpreter::after_cycle() {
 }
 
 void Interpreter::keep_state() {
-  if (state_kept_) return;
-  state_kept_ = true;
+  if (state_saved_) return;
+  state_saved_ = true;
   before_ = *this;
   dialect->keep(*this);
 }
@@ -192,10 +192,10 @@ void Interpreter::undo_block(std::size_t actions) {
   stop_cycles();
   waiting_count_ = 0;
   if (flow_before_) flow.back_to(*flow_before_);
-  if (state_kept_) static_cast<ControlState&>(*this) = before_;
+  if (state_saved_) static_cast<ControlState&>(*this) = before_;
   dialect->undo_block(*this);
   journal.undo();  // the journal has older values than the copies restored above, so it is undone after them
-  if (state_kept_) {
+  if (state_saved_) {
     (void)variables.consume_frames_changed();
     // With a parameter file the parameters are in the machine's unit (spec/linuxcnc 1.1).
     variables.inch = modal.inch && !def.has_parameter_file();
@@ -205,7 +205,7 @@ void Interpreter::undo_block(std::size_t actions) {
 
 void Interpreter::refused() {
   if (batch != nullptr) undo_block(0);
-  state_kept_ = false;
+  state_saved_ = false;
   close_block();
   if (block_states_) block_states_->note(origin.number, *this);
   dialect->failed(*this);

@@ -89,12 +89,12 @@ std::uint8_t quick_call(const BlockContext& m, const Block& block) {
 
 /// Returns true if the block is kept in memory for a loop and has only words: it has no skip mark, label, comment or warning.
 bool is_read_again(const Block& block) {
-  return block.kept && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
+  return block.repeated && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
          block.warnings.empty();
 }
 
 /// Returns true if is_read_again() holds for the block and some of its words are expressions.
-bool is_kept(const Block& block) { return block.evaluates && is_read_again(block) && !block.codes_vary && block.assignments.empty(); }
+bool is_repeated(const Block& block) { return block.evaluates && is_read_again(block) && !block.codes_vary && block.assignments.empty(); }
 
 AxisMask plane_of(const BlockContext& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
 
@@ -116,7 +116,7 @@ void MotionRun::note(const Emitter& m) {
     return;
   }
   if (is_label(block) || sets_variables_only(block)) return;
-  if (!block.shape && !is_kept(block)) return end();
+  if (!block.shape && !is_repeated(block)) return end();
   const Form& form = form_of(m, block);
   if (form.fits) return begin(m, form);
   if (!form.calls || !stays_after_call(m)) end();
@@ -153,14 +153,14 @@ const MotionRun::Form& MotionRun::form_of(const BlockContext& m, const Block& bl
   const std::uint64_t key = shaped ? block.shape.first : reinterpret_cast<std::uintptr_t>(&block) / alignof(Block);  // NOLINT: a hash key
   Form& form = forms_[(key * 0x9E3779B97F4A7C15u) >> 60];
   static_assert(forms == 16);
-  if (shaped ? form.shape == block.shape : form.kept == &block && form.letters == block.letters) [[likely]]
+  if (shaped ? form.shape == block.shape : form.repeated == &block && form.letters == block.letters) [[likely]]
     return form;
   form = {};
   if (shaped) form.shape = block.shape;
-  else form.kept = &block, form.letters = block.letters;
+  else form.repeated = &block, form.letters = block.letters;
   form.fits = make(m, block, form);
   form.calls = !form.fits && only_calls(m, block);
-  if (form.calls && block.kept) form.call = quick_call(m, block);
+  if (form.calls && block.repeated) form.call = quick_call(m, block);
   return form;
 }
 
@@ -279,8 +279,8 @@ bool MotionRun::take(Interpreter& m) {
   if (sets_variables_only(block)) return is_read_again(block) && number_fits(block) && m.assign_again();
   if (is_label(block))
     // The label of a kept block was checked when the block was executed the first time.
-    return block.kept && m.program().depth() != 0 && !m.def.behaviour.label_is_number;
-  if (!block.shape && !is_kept(block)) return false;
+    return block.repeated && m.program().depth() != 0 && !m.def.behaviour.label_is_number;
+  if (!block.shape && !is_repeated(block)) return false;
   if (block.skip != 0 || block.marker != Marker::none || block.altered) return refused();
   const Form& form = form_of(m, block);
   if (form.calls) {
@@ -308,8 +308,8 @@ bool MotionRun::take(Interpreter& m) {
     const Slot& slot = form.slots[i];
     const double v = block.words[slot.word].value;
     if (!(v >= slot.least && v <= slot.most)) return refused();
-    const double way = v * slot.scale;
-    to[slot.axis] = absolute_ && !slot.adds ? way : m.position.programmed[slot.axis] + way;
+    const double scaled = v * slot.scale;
+    to[slot.axis] = absolute_ && !slot.adds ? scaled : m.position.programmed[slot.axis] + scaled;
     if (!(std::fabs(to[slot.axis]) <= farthest)) return refused();
   }
   PlaneArc found;

@@ -50,11 +50,11 @@ class MotionRun {
     bool adds = false;  // the word has an incremental address (U, W), so its value is added to the start coordinate
     double scale = 1, least = 0, most = 0;
   };
-  /// The facts about all blocks of one shape (same addresses and codes), or about the one block `kept`, which a loop executes again.
+  /// The facts about all blocks of one shape (same addresses and codes), or about the one block `repeated`, which a loop executes again.
   struct Form {
     BlockShape shape;
-    const Block* kept = nullptr;
-    std::uint64_t letters = 0;  // letters of the words of `kept`, without the words whose value is vacant
+    const Block* repeated = nullptr;
+    std::uint64_t letters = 0;  // letters of the words of `repeated`, without the words whose value is vacant
     bool fits = false;          // the blocks are plain motions, which the fast path executes
     bool calls = false;         // the blocks only call a subprogram, or only return from a subprogram
     // Index of the calling word if the block can be executed without a plan (see quick_call); no_word for other blocks.

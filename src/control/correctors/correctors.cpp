@@ -94,15 +94,15 @@ BlockChanges Correctors::changes_of(const BlockContext& m, const Plan& plan) con
   return m.has('L') ? BlockChanges::anything : Dialect::changes_of(m, plan);
 }
 
-void Correctors::begin_block(Emitter&) { kept_ = false; }
+void Correctors::begin_block(Emitter&) { state_saved_ = false; }
 
 void Correctors::keep(BlockContext&) {
   before_ = {pocket, applied};
-  kept_ = true;
+  state_saved_ = true;
 }
 
 void Correctors::undo_block(BlockContext&) {
-  if (!kept_) return;
+  if (!state_saved_) return;
   pocket = before_.pocket;
   applied = before_.applied;
 }

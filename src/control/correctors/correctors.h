@@ -55,7 +55,7 @@ class Correctors final : public Dialect, public Memory {
     std::vector<double> applied;
   };
   Before before_;
-  bool kept_ = false;
+  bool state_saved_ = false;
 };
 
 Correctors& correctors_of(const BlockContext& m);

@@ -22,7 +22,7 @@ class CannedCycleRun {
   const CycleRow* cycle() const { return cycle_; }
   /// Replaces the row of the cycle by `same`: the same row in another control object with the same definition. Needed when a snapshot is
   /// restored in another control.
-  void lead_to(const CycleRow* same) { cycle_ = job_.cycle = same; }
+  void relink(const CycleRow* same) { cycle_ = job_.cycle = same; }
 
   /// The levels and positions of the drilled holes of one block. `first`, `second`, `drill`: indices of the two axes of the plane and of
   /// the drilling axis.

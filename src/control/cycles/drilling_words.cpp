@@ -34,10 +34,10 @@ class Drilling {
     m_.modal.motion = MotionMode::cycle;
     m_.modal.motion_row = row;
     if (memory_.row != row) {  // Another cycle or motion was between, so only R remains valid (Mach3 10.7.24)
-      CycleMemory kept;
-      kept.level = memory_.level;
-      kept.known = memory_.known & letter_bit('R');
-      memory_ = kept;
+      CycleMemory memory;
+      memory.level = memory_.level;
+      memory.known = memory_.known & letter_bit('R');
+      memory_ = memory;
     }
     memory_.row = row;
     KADR_TRY(allowed());

@@ -28,7 +28,7 @@ class MachineInterface {
   // ---- axes coupled to axes of other channels: Control has functions of the same names, with descriptions
   virtual const std::vector<CrossChannelAxis>& cross_channel_axes() const = 0;
   virtual void drop_cross_channel(Emitter& m, const CrossChannelAxis& axis) = 0;
-  virtual void lead_axis(Emitter& m, std::size_t axis, double machine) = 0;
+  virtual void move_linked_axis(Emitter& m, std::size_t axis, double machine) = 0;
   virtual bool may_exchange(const BlockContext& m, std::size_t axis) const = 0;
   virtual void exchange_cross_channel(std::size_t axis, double machine, bool on) = 0;
   virtual bool is_parked(std::size_t axis) const = 0;

@@ -29,23 +29,23 @@ bool is_good_part(std::string_view part) {
          part.find_first_not_of(' ') != std::string_view::npos && !is_device(part);
 }
 
-Status FileWriter::open(const Wanted& wanted) {
-  const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, std::string_view(wanted.shown))); };
-  const FileMode& rule = wanted.rule;
-  const Place place = look_up(options_.root, wanted.path);
+Status FileWriter::open(const OpenRequest& request) {
+  const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, std::string_view(request.shown))); };
+  const FileMode& rule = request.rule;
+  const Place place = look_up(options_.root, request.path);
   if (place.what == There::outside) return bad(AlarmId::file_outside);
   if (place.what == There::other) return bad(AlarmId::file_write);
-  if (place.what == There::no_folder) return bad(rule.creates ? AlarmId::file_write : wanted.missing);
+  if (place.what == There::no_folder) return bad(rule.creates ? AlarmId::file_write : request.missing);
 
   const std::string same = capitals(place.path);
-  if (same == capitals(wanted.running) || options_.untouched.has(options_.root + "/" + place.path)) return bad(AlarmId::file_already_open);
+  if (same == capitals(request.running) || options_.untouched.has(options_.root + "/" + place.path)) return bad(AlarmId::file_already_open);
   const bool is_there = place.what == There::file || made_.count(same) != 0;
-  if (is_there && !rule.takes_existing) return bad(wanted.exists);
-  if (!is_there && !rule.creates) return bad(wanted.missing);
+  if (is_there && !rule.takes_existing) return bad(request.exists);
+  if (!is_there && !rule.creates) return bad(request.missing);
   if (files_.size() >= options_.max_files && !files_.contains(place.path)) return bad(AlarmId::file_write);
 
   if (options_.writing == OutputWriting::files) {
-    const Result<int> opened = open_regular(place, rule, wanted.shown, options_.untouched);
+    const Result<int> opened = open_regular(place, rule, request.shown, options_.untouched);
     KADR_TRY(opened);
     file_ = *opened;
   } else {

@@ -38,7 +38,7 @@ struct OutputOptions {
 bool is_good_part(std::string_view part);
 
 /// A request to open a file.
-struct Wanted {
+struct OpenRequest {
   std::string path;   // path from the root folder; its parts are separated by `/`
   std::string shown;  // name in alarms
   FileMode rule;
@@ -57,8 +57,8 @@ class FileWriter {
   ~FileWriter() { abort(); }
 
   /// Opens a file. No other file may be open.
-  ///   alarms  file_outside, file_write, file_already_open, those of `wanted`
-  Status open(const Wanted& wanted);
+  ///   alarms  file_outside, file_write, file_already_open, those of `request`
+  Status open(const OpenRequest& request);
   /// Appends bytes to the open file. One system call passes the bytes to the system, without a buffer here, so no completed line is lost if
   /// this program is killed. If the call fails halfway, its bytes are removed again.
   ///   alarms  file_write (its argument is the path), also for more than `most` bytes

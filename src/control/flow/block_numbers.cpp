@@ -34,7 +34,7 @@ bool BlockNumbers::make(BlockReader& reader, StopToken stop) {
     const DataLines::Step step = DataLines::step_of(*block);
     if (step != DataLines::Step::none) in_data = step == DataLines::Step::begins;
     if (step == DataLines::Step::begins) openings_.push_back(place_of(block->position));
-    if (rows_.size() > most || openings_.size() > most || stop.asked()) {
+    if (rows_.size() > most || openings_.size() > most || stop.requested()) {
       *this = {};
       return false;
     }
@@ -49,8 +49,8 @@ bool BlockNumbers::make(BlockReader& reader, StopToken stop) {
 /// if the search reads the G10 that the line belongs to. If the search starts after this G10, N counts as a block number.
 bool BlockNumbers::counts_from(const Row& row, std::uint64_t from) const {
   if ((row.place & 1u) == 0) return true;
-  const auto behind = std::lower_bound(openings_.begin(), openings_.end(), row.place & ~std::uint64_t{1});
-  return behind != openings_.begin() && *std::prev(behind) < from;
+  const auto after = std::lower_bound(openings_.begin(), openings_.end(), row.place & ~std::uint64_t{1});
+  return after != openings_.begin() && *std::prev(after) < from;
 }
 
 std::optional<Position> BlockNumbers::find(std::uint32_t number, Position from) const {

@@ -18,7 +18,7 @@ class CallTree {
   static constexpr std::size_t most = 65535;
 
   /// Returns the number of the chain that the open calls form; 0 if no call is open.
-  std::uint16_t way_of(const ControlDef& def, const std::vector<CallFrame>& open);
+  std::uint16_t chain_of(const ControlDef& def, const std::vector<CallFrame>& open);
 
   /// One call of a chain, with the file that contains the calling block.
   struct Call {
@@ -26,10 +26,10 @@ class CallTree {
     std::uint16_t file = 0;  // number of the file with the calling block, as in Origin::file
   };
   /// Returns the calls of the chain with this number, outermost first.
-  std::vector<Call> calls(std::uint16_t way) const;
+  std::vector<Call> calls(std::uint16_t chain) const;
 
  private:
-  struct Way {
+  struct Chain {
     std::uint16_t outer = 0;  // number of the caller's chain
     Call call;
   };
@@ -37,14 +37,14 @@ class CallTree {
   /// of the called subprogram.
   using Key = std::tuple<std::uint16_t, std::uint32_t, std::uint16_t, std::uint8_t, std::uint32_t, std::uint16_t>;
 
-  std::vector<Way> ways_;  // element [0] is the chain with the number 1
+  std::vector<Chain> chains_;  // element [0] is the chain with the number 1
   std::map<Key, std::uint16_t> known_;
-  // The result of the last way_of(), which is returned again while the innermost call is the same. The call is identified by the number of
-  // its block.
+  // The result of the last chain_of(), which is returned again while the innermost call is the same. The call is identified by the number
+  // of its block.
   std::size_t last_depth_ = 0;
   std::uint32_t last_block_ = 0;
   Key last_key_;
-  std::uint16_t last_way_ = 0;
+  std::uint16_t last_chain_ = 0;
 };
 
 }  // namespace kadr

@@ -76,8 +76,8 @@ Block* ProgramFile::keep(Position at) {
   entry->block = in_hand_;
   entry->text = in_hand_.text;
   entry->block.text = entry->text;
-  entry->block.kept = true;
-  if (memory_.told.contains(place_of(entry->block.position))) entry->block.warnings.clear();
+  entry->block.repeated = true;
+  if (memory_.reported.contains(place_of(entry->block.position))) entry->block.warnings.clear();
   entry->next = reader_.position();
   Block* const block = &entry->block;
   last_ = entry.get();
@@ -104,7 +104,7 @@ std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position 
 std::optional<Position> ProgramFile::search(std::uint32_t number, Position from, const Extent& in) {
   auto found = scan(number, from, in.end);
   if (!found) found = scan(number, in.begin, from);
-  if (found || !index_possible_ || searched_ < max_searched || stop_.asked()) return found;
+  if (found || !index_possible_ || searched_ < max_searched || stop_.requested()) return found;
   index_.emplace();
   index_possible_ = index_->make(scanner(), stop_);
   if (index_possible_) {
@@ -149,7 +149,7 @@ Position ProgramFile::first_block() {
   for (;;) {
     const auto got = reader.next(*block);
     const bool content = !got || block->marker == Marker::label || !block->empty();
-    if (stop_.asked() || (got && *got == BlockReader::Got::end) || (content && block->marker != Marker::program_start)) break;
+    if (stop_.requested() || (got && *got == BlockReader::Got::end) || (content && block->marker != Marker::program_start)) break;
   }
   first_block_ = block->position;
   return *first_block_;
@@ -170,7 +170,7 @@ void ProgramFile::find_programs() {
   auto block = std::make_unique<Block>();
   for (;;) {
     const auto got = reader.next(*block);
-    if ((got && *got == BlockReader::Got::end) || programs_->size() >= max_loops || stop_.asked()) return;
+    if ((got && *got == BlockReader::Got::end) || programs_->size() >= max_loops || stop_.requested()) return;
     if (block->marker == Marker::label) programs_->push_back({block->position, block->label});
   }
 }
@@ -182,7 +182,7 @@ std::optional<Position> ProgramFile::scan(std::uint32_t number, Position from, P
   bool in_data = false;
   for (;;) {
     const Position at = reader.position();
-    if (std::tie(at.offset, at.nth) >= std::tie(to.offset, to.nth) || stop_.asked() || (index_possible_ && searched_ >= max_searched))
+    if (std::tie(at.offset, at.nth) >= std::tie(to.offset, to.nth) || stop_.requested() || (index_possible_ && searched_ >= max_searched))
       return std::nullopt;
     const auto got = reader.next(*block);
     ++searched_;
@@ -239,7 +239,7 @@ void ProgramFile::find_loops() {
     for (auto i = open.rbegin(); i != nearest; ++i) loops_[*i].fault = AlarmId::loops_overlap;
     Loop& loop = loops_[*nearest];
     loop.end = block->position;
-    loop.behind = reader.position();
+    loop.after_end = reader.position();
     loop.damaged = loop.damaged || !got;
     if (overlaps) loop.fault = AlarmId::loops_overlap;
     loops_by_end_.emplace(key_of(loop.end), *nearest);

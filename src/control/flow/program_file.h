@@ -28,10 +28,10 @@ struct KeptBlock {
 
 /// A loop DO … END of a file. DO and END belong together by their order in the text, not by the order of execution.
 struct Loop {
-  Position begin;   // position of the block with DO
-  Position body;    // position of the first block after DO
-  Position end;     // position of the block with END
-  Position behind;  // position of the first block after END
+  Position begin;      // position of the block with DO
+  Position body;       // position of the first block after DO
+  Position end;        // position of the block with END
+  Position after_end;  // position of the first block after END
   AlarmId fault = no_alarm;
   std::uint8_t number = 0;  // number m of DOm; 0: a WHILE without DO
   bool damaged = false;     // the block with DO or END cannot be read; such an END has no effect
@@ -51,13 +51,13 @@ class ProgramFile {
   Position position() const { return moved_ ? elsewhere_ : reader_.position(); }
   /// Records that the warnings of a kept block have been reported, so that they are reported only once.
   void note_warned(const Block& block) {
-    if (block.kept) memory_.told.insert(place_of(block.position));
+    if (block.repeated) memory_.reported.insert(place_of(block.position));
   }
   /// The state of the file object that the run has changed. With this state and the position in the program, a run can be continued.
   struct Memory {
     BlockReader::Memory reader;
     bool keeps = false;
-    std::set<std::pair<std::uint64_t, std::uint32_t>> told{};  // positions of kept blocks whose warnings were reported
+    std::set<std::pair<std::uint64_t, std::uint32_t>> reported{};  // positions of kept blocks whose warnings were reported
   };
   Memory memory() const {
     Memory now = memory_;

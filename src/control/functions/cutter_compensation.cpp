@@ -21,23 +21,23 @@ bool only_begun(const BlockContext& m) {
 
 bool is_contour(MotionKind kind) { return kind == MotionKind::rapid || kind == MotionKind::feed || is_arc(kind); }
 
-double beside(const Modal& modal) { return modal.compensation_side == 0 ? 0 : length(modal.compensation_vector); }
+double offset_length(const Modal& modal) { return modal.compensation_side == 0 ? 0 : length(modal.compensation_vector); }
 
 /// Warns, once per contour, of a motion along another axis after G40 while the tool is still offset from the contour. A drilled hole or a
 /// step at this position is rarely intended. In the block with G40 of the 2С42 Z gives no warning, because this Z is a word of G40 (6.4.7).
 void warn_off_contour(Emitter& m, const Motion& motion, const Axes& from) {
-  if (m.modal.off_contour_reported || beside(m.modal) <= tol::same_point || !is_contour(motion.kind)) return;
+  if (m.modal.off_contour_reported || offset_length(m.modal) <= tol::same_point || !is_contour(motion.kind)) return;
   if (m.has_code({Function::compensation_off})) return;
   bool moves = false;
   for (std::size_t a = 0; a < m.axis_count; ++a) moves = moves || std::fabs(motion.to[a] - from[a]) > tol::same_point;
   if (!moves) return;
   m.modal.off_contour_reported = true;
-  m.warn(warning(AlarmId::beside_contour, m.block->where, beside(m.modal)));
+  m.warn(warning(AlarmId::beside_contour, m.block->where, offset_length(m.modal)));
 }
 
 /// Handles the first motion after G40. If it moves in the plane of the contour, the tool leaves the contour. If not, the tool stays offset
 /// from the contour. A plane that is selected after G40 has no influence.
-void lead_off(Emitter& m, Motion& motion, const Axes& from) {
+void leave_contour(Emitter& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   motion.side = modal.compensation_side;
   motion.first = static_cast<std::uint8_t>(modal.compensation_axes.first);
@@ -54,9 +54,9 @@ void lead_off(Emitter& m, Motion& motion, const Axes& from) {
 /// Returns the vector from the end of a straight motion to the tool centre. The vector is normal to the motion. At the first motion in
 /// RS274/NGC the vector is normal to the path of the tool centre; this path is tangent to the circle with the tool radius around the end
 /// point.
-Vec2 vector_at_end(const Motion& motion, Vec2 way) {
-  const double distance = length(way), radius = motion.tool_radius;
-  const Vec2 ahead = 1 / distance * way, left{-ahead.y, ahead.x};
+Vec2 vector_at_end(const Motion& motion, Vec2 delta) {
+  const double distance = length(delta), radius = motion.tool_radius;
+  const Vec2 ahead = 1 / distance * delta, left{-ahead.y, ahead.x};
   if (motion.side_step != SideStep::begins || motion.entry != CompensationApproach::tangent || distance <= radius)
     return motion.side * radius * left;
   const double across = radius / distance, along = std::sqrt((1 - across) * (1 + across));
@@ -77,9 +77,9 @@ void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   if (modal.contour == CompensationPhase::on) motion.side_step = SideStep::begins;
   modal.contour = CompensationPhase::following;
   modal.compensation_axes = modal.axes;
-  const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
+  const Vec2 delta = in_plane(m, motion.to) - in_plane(m, from);
   // Note_arc_end() sets the vector for arcs.
-  if (!is_arc(motion.kind) && !(way == Vec2{})) modal.compensation_vector = vector_at_end(motion, way);
+  if (!is_arc(motion.kind) && !(delta == Vec2{})) modal.compensation_vector = vector_at_end(motion, delta);
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ void stop_off_contour(Emitter& m) {
   if (m.def.behaviour.queues_compensation() && m.modal.contour == CompensationPhase::following) m.emit(CompensationBreak{});
 }
 
-bool leads_without_words(const BlockContext& m) {
+bool moves_without_words(const BlockContext& m) {
   if (!m.def.behaviour.queues_compensation() || m.modal.contour == CompensationPhase::off) return false;
   return m.modal.contour == CompensationPhase::leaving || m.radius_in_force() != 0;
 }
@@ -180,7 +180,7 @@ void note_compensation(Emitter& m, Motion& motion, const Axes& from) {
   motion.entry =
       m.def.behaviour.compensation_entry == CompensationEntry::tangent ? CompensationApproach::tangent : CompensationApproach::normal;
   motion.join_corner = modal.corner_join;
-  if (modal.contour == CompensationPhase::leaving) return lead_off(m, motion, from);
+  if (modal.contour == CompensationPhase::leaving) return leave_contour(m, motion, from);
   const bool moves = named && (is_arc(motion.kind) || length(in_plane(m, motion.to) - in_plane(m, from)) > tol::same_point);
   if (modal.contour == CompensationPhase::on && !moves) return;
   const double radius = m.radius_in_force();
@@ -200,8 +200,8 @@ void note_compensation(Emitter& m, Motion& motion, const Axes& from) {
   } else {
     modal.contour = CompensationPhase::following;
   }
-  const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
-  if (!is_arc(motion.kind)) modal.compensation_vector = vector_at_end(motion, way);  // note_arc_end() sets the vector for arcs
+  const Vec2 delta = in_plane(m, motion.to) - in_plane(m, from);
+  if (!is_arc(motion.kind)) modal.compensation_vector = vector_at_end(motion, delta);  // note_arc_end() sets the vector for arcs
 }
 
 }  // namespace kadr

@@ -32,7 +32,7 @@ void stop_off_contour(Emitter& m);
 
 /// Returns true if G0 or G1 without axis words is a motion. This is so on a control that queues compensated motions: a motion of length
 /// zero begins or leaves a contour.
-bool leads_without_words(const BlockContext& m);
+bool moves_without_words(const BlockContext& m);
 
 /// Checks the motion of a block with axis words before it is executed.
 ///   alarms  compensation_two_blocks: there is no motion in the plane between G41 or G42 and the second block of the contour (2С42 6.4.7)

@@ -21,10 +21,11 @@ Status end_program(Interpreter& m, Span where) {
     const bool switches_off = (row.function == Function::spindle_stop && m.modal.spindle != SpindleDir::stop) ||
                               (row.function == Function::coolant_off && (m.modal.flood || m.modal.mist));
     // The stops of spindle and coolant are emitted, because lines that are sent later run with both switched off.
-    const bool told = m.def.has_lines_alone() && switches_off;
+    const bool emitted = m.def.has_lines_alone() && switches_off;
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, where});
-    if (row.letter == 'M' && !told) m.batch->cut(silent);  // M2 is one action: the actions of its own for spindle and coolant are removed
+    if (row.letter == 'M' && !emitted)
+      m.batch->cut(silent);  // M2 is one action: the actions of its own for spindle and coolant are removed
     if (row.group != 0 && row.modal) m.modal.rows[row.group] = static_cast<std::int16_t>(row_index);
   }
   return {};

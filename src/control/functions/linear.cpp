@@ -58,7 +58,7 @@ Status straight(Emitter& m, const Call& call, MotionKind kind, MotionMode mode) 
     if (!added) return fail(added.error());
     named |= *added;
   }
-  if (named == 0 && !leads_without_words(m)) return {};  // a block that has only the code sets the mode, and moves nothing
+  if (named == 0 && !moves_without_words(m)) return {};  // a block that has only the code sets the mode, and moves nothing
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
   if (m.dialect->only_shifts(m)) {
@@ -172,9 +172,9 @@ Status probe(Emitter& m, const Call& call) {
   KADR_TRY(m.target(to, named));
   double distance = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
-    const double way = to[a] - m.position.programmed[a];
-    if ((m.def.rotary >> a & 1u) == 0) distance += way * way;
-    else if (std::fabs(way) > tol::same_angle)
+    const double travel = to[a] - m.position.programmed[a];
+    if ((m.def.rotary >> a & 1u) == 0) distance += travel * travel;
+    else if (std::fabs(travel) > tol::same_angle)
       return fail(alarm(AlarmId::rotary_motion, m.where(m.letters.axis_letter[a]), m.letters.axis_letter[a]));
   }
   if (std::sqrt(distance) < m.def.behaviour.probe_least_distance)

@@ -124,10 +124,10 @@ Status Emitter::straight(MotionKind kind, const Axes& programmed, AxisMask named
 double BlockContext::feed_by_axes(const Motion& motion) const {
   double time = 0, rest = 0, all = 0;
   for (std::size_t a = 0; a < axis_count; ++a) {
-    const double way = motion.to[a] - moved_from[a];
-    all += way * way;
-    if ((modal.feeds_of_axes >> a & 1u) != 0) time = std::max(time, std::fabs(way) / modal.axis_feed[a]);
-    else rest += way * way;
+    const double travel = motion.to[a] - moved_from[a];
+    all += travel * travel;
+    if ((modal.feeds_of_axes >> a & 1u) != 0) time = std::max(time, std::fabs(travel) / modal.axis_feed[a]);
+    else rest += travel * travel;
   }
   if (modal.feed > 0) time = std::max(time, std::sqrt(rest) / modal.feed);
   return time > 0 ? feed_limited(std::sqrt(all) / time) : motion.feed;

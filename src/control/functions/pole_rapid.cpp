@@ -27,8 +27,8 @@ Plane plane_of_pole(const Modal& modal, AxisMask words) {
   if (words == (x | y)) return Plane::xy;
   if (words == (z | x)) return Plane::zx;
   if (words == (y | z)) return Plane::yz;
-  const bool chosen_anew = modal.plane != modal.pole_under || !modal.polar_radius_given;
-  const Plane plane = chosen_anew ? modal.plane : modal.pole_plane;
+  const bool chosen_again = modal.plane != modal.pole_under || !modal.polar_radius_given;
+  const Plane plane = chosen_again ? modal.plane : modal.pole_plane;
   if (words == 0) return plane;
   const std::size_t axis = words == x ? 0 : words == y ? 1 : 2;
   for (const Plane known : {plane, modal.plane})

@@ -36,10 +36,10 @@ Status start_deep_drilling(Emitter& m, const CycleRow& cycle, Span where) {
   job.peck = std::fabs(r[3]) * mm_per_increment;
   job.dwell = pass_dwell;
   job.preliminary = false;
-  const double way = std::fabs(job.level - job.bottom);
-  if (!(job.peck > 0) || way / job.peck > max_passes) return fail(alarm(AlarmId::cycle_peck, where, r[3]));
+  const double depth = std::fabs(job.level - job.bottom);
+  if (!(job.peck > 0) || depth / job.peck > max_passes) return fail(alarm(AlarmId::cycle_peck, where, r[3]));
   if (!(r[0] > 0)) return fail(alarm(AlarmId::feed_missing, where));
-  if (way <= tol::level) return fail(alarm(AlarmId::cycle_level, where, job.level, job.bottom));
+  if (depth <= tol::level) return fail(alarm(AlarmId::cycle_level, where, job.level, job.bottom));
   m.modal.feed = r[0];
   m.modal.feed_known = true;
   m.block_exact = true;

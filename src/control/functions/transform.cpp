@@ -69,13 +69,13 @@ Vec2 Transform::to_work(Vec2 programmed, PlaneAxes plane) const {
   return {at[plane.first], at[plane.second]};
 }
 
-Vec2 Transform::direction(Vec2 way, PlaneAxes plane) const {
+Vec2 Transform::direction(Vec2 vector, PlaneAxes plane) const {
   Transform rigid = *this;
   for (std::size_t a = 0; a < max_axes; ++a) rigid.scale[a] = scale[a] < 0 ? -1 : 1;
   rigid.scale_shift.fill(0);
   rigid.added.fill(0);
   rigid.rotation_center = {};
-  return rigid.to_work(way, plane);
+  return rigid.to_work(vector, plane);
 }
 
 double Transform::corner_scale(PlaneAxes plane) const { return (std::fabs(scale[plane.first]) + std::fabs(scale[plane.second])) / 2; }

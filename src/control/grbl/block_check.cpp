@@ -224,8 +224,8 @@ class BlockCheck {
     }
     const bool own_time = all_.inverse_time && all_.axis_command == AxisCommand::motion && all_.motion != 0_g && all_.motion != no_motion;
     if (own_time && !has("F")) return no_feed();
-    const bool kept = !all_.inverse_time && !leaves_inverse_ && m_.modal.feed_mode == FeedMode::per_minute && m_.modal.feed_known;
-    feed_ = has("F") ? value('F') : kept ? m_.modal.feed : 0;
+    const bool feed_in_force = !all_.inverse_time && !leaves_inverse_ && m_.modal.feed_mode == FeedMode::per_minute && m_.modal.feed_known;
+    feed_ = has("F") ? value('F') : feed_in_force ? m_.modal.feed : 0;
     return {};
   }
 

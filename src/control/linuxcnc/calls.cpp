@@ -17,7 +17,7 @@ void enter_sub(BlockContext& m, Label label, std::optional<Level> level, bool by
   LinuxCnc& control = linuxcnc_of(m);
   control.flow.calls.push_back(label);
   control.flow.by_m98.push_back(by_m98);
-  control.kept_modes.emplace_back();
+  control.saved_modes.emplace_back();
   if (level) control.levels().push_back(std::move(*level));
 }
 
@@ -67,7 +67,7 @@ Status call_numbered(Interpreter& m, const Call& call) {
     frame.name = static_cast<std::uint32_t>(p);
     frame.left = static_cast<std::uint32_t>(std::min(times, 1e9));
     frame.caller = m.origin;
-    KADR_TRY(m.flow.call_at(m.program().reader(), line.behind, frame, call.where));
+    KADR_TRY(m.flow.call_at(m.program().reader(), line.position_after, frame, call.where));
     linuxcnc::enter_sub(m, label, std::nullopt, true);
     return {};
   }

@@ -77,7 +77,7 @@ class Filled {
 
   /// Under cutter compensation, returns the number of #<_x> for the number of #5420, and so on for the other axes. An expression with #5420
   /// … is an alarm under compensation, but a comment shows the values of #<_x> … (LinuxCNC's source reads the parameter table directly).
-  double beside_contour(double number) const {
+  double without_compensation(double number) const {
     constexpr std::string_view letters = "xyzabcuvw";
     constexpr double first = 5420;
     const double axis = number - first;
@@ -100,7 +100,7 @@ class Filled {
     } else if (is_digit(text_[at_])) {
       double number = 0;
       for (; at_ < text_.size() && is_digit(text_[at_]); ++at_) number = number * 10 + (text_[at_] - '0');
-      if (const auto read = linuxcnc_of(m_).read_variable(m_, beside_contour(number), {})) value = *read;
+      if (const auto read = linuxcnc_of(m_).read_variable(m_, without_compensation(number), {})) value = *read;
     } else {
       out_ += text_.substr(hash, 1);
       return {};

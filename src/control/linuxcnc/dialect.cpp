@@ -42,7 +42,7 @@ struct LinuxCnc::Remembered : DialectState {
   bool tools_changed = false;
   std::vector<Level> levels;
   std::map<double, double> globals;
-  std::vector<std::vector<KeptModes>> kept_modes;
+  std::vector<std::vector<SavedModes>> saved_modes;
   FlowTable::Memory flow;
   Axes probed{};
   bool probe_tripped = false;
@@ -167,7 +167,7 @@ std::shared_ptr<const DialectState> LinuxCnc::snapshot() const {
   all->tools_changed = tools_changed;
   all->levels = levels_;
   all->globals = globals_;
-  all->kept_modes = kept_modes;
+  all->saved_modes = saved_modes;
   all->flow = flow.memory();
   all->probed = probed;
   all->probe_tripped = probe_tripped;
@@ -184,7 +184,7 @@ Status LinuxCnc::restore(BlockContext&, const DialectState& from) {
   tools_changed = all.tools_changed;
   levels_ = all.levels;
   globals_ = all.globals;
-  kept_modes = all.kept_modes;
+  saved_modes = all.saved_modes;
   flow.resume_from(all.flow);
   probed = all.probed;
   probe_tripped = all.probe_tripped;

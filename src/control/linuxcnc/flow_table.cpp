@@ -47,7 +47,7 @@ OFile FlowTable::read_o_lines(const ProgramFile& file) {
     }
     OLine row;
     row.at = block->position;
-    row.behind = reader.position();
+    row.position_after = reader.position();
     row.word = block->statement.o_word;
     row.label = label_or_none(written_label(*block));
     if (row.label == no_label) {

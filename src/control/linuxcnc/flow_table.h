@@ -31,9 +31,9 @@ std::string label_of_number(double number);
 
 /// One O line of a file.
 struct OLine {
-  Position at, behind;     // position of the O line, and position of the line after the O line
-  Label label = no_label;  // number of the label; no_label if `expression` gives the label
-  std::string expression;  // text of the expression that gives the label: O[…] or O#…
+  Position at, position_after;  // position of the O line, and position of the line after the O line
+  Label label = no_label;       // number of the label; no_label if `expression` gives the label
+  std::string expression;       // text of the expression that gives the label: O[…] or O#…
   OWord word = OWord::label;
   std::int32_t sub = -1;   // index of the O line that starts the subprogram around this line; -1: the line is in the main program
   std::int32_t next = -1;  // index of the next O line with the same label in the same subprogram; -1: there is no such line

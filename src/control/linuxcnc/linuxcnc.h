@@ -59,7 +59,7 @@ struct Level {
 };
 
 /// Modes that M70 or M73 has saved (spec/linuxcnc 8).
-struct KeptModes {
+struct SavedModes {
   Modal modal;
   bool restore_at_end = false;  // M73 has saved the modes, so they are restored when the subprogram ends
 };
@@ -190,8 +190,8 @@ class LinuxCnc final : public Dialect {
   std::vector<Word> written_words;  // words of the block as written; not empty while X and Y replace the polar words @ and ^ in the block
   bool tools_changed = false;       // G10 has changed the tool table, so its file must be written
   bool table_is_known = false;      // a tool table is given; if not, every tool number is valid, but its tool has no data
-  std::vector<std::vector<KeptModes>> kept_modes{1};  // modes that M70 and M73 have saved, by depth of the calls
-  Axes probed{};                                      // probed position, mm or degrees; read as #5061 …
+  std::vector<std::vector<SavedModes>> saved_modes{1};  // modes that M70 and M73 have saved, by depth of the calls
+  Axes probed{};                                        // probed position, mm or degrees; read as #5061 …
   bool probe_tripped = false;
   int probe_kind = 2;  // digit n of the last G38.n
 

@@ -80,10 +80,10 @@ Status restore_modes(Interpreter& m, const Modal& to) {
 Status restore_at_end(Interpreter& m) {
   LinuxCnc& control = linuxcnc_of(m);
   std::optional<Modal> to;
-  if (control.kept_modes.size() > 1) {
-    for (const KeptModes& kept : control.kept_modes.back())
-      if (kept.restore_at_end) to = kept.modal;
-    control.kept_modes.pop_back();
+  if (control.saved_modes.size() > 1) {
+    for (const SavedModes& saved : control.saved_modes.back())
+      if (saved.restore_at_end) to = saved.modal;
+    control.saved_modes.pop_back();
   }
   return to ? restore_modes(m, *to) : Status();
 }
@@ -234,21 +234,21 @@ Status override_switch(Emitter& m, const Call& call) {
 /// M70 to M73: save and restore modes. arg: the number of the code.
 Status modes_kept(Interpreter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
-  auto& kept = control.kept_modes.back();
+  auto& saved = control.saved_modes.back();
   switch (call.row->arg) {
     case 70:
     case 73:
-      m.journal.on_undo([&kept, before = kept] { kept = before; });
-      kept.assign(1, {m.modal, call.row->arg == 73});
+      m.journal.on_undo([&saved, before = saved] { saved = before; });
+      saved.assign(1, {m.modal, call.row->arg == 73});
       return {};
     case 71:
-      m.journal.on_undo([&kept, before = kept] { kept = before; });
-      kept.clear();
+      m.journal.on_undo([&saved, before = saved] { saved = before; });
+      saved.clear();
       return {};
     default:
-      if (kept.empty())
+      if (saved.empty())
         return control.fault(AlarmId::rs274_codes, call.where, "Cannot restore context from invalid stack frame - missing M70/M73?");
-      return linuxcnc::restore_modes(m, kept.back().modal);
+      return linuxcnc::restore_modes(m, saved.back().modal);
   }
 }
 

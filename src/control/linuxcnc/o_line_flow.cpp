@@ -184,14 +184,14 @@ Result<OLines::Place> OLines::find_sub() {
 
 OLines::Place OLines::found_at(std::uint16_t reader, const OLine& line) {
   flow_.passed(label_) = {true, reader, line.at};
-  return {reader, line.behind, false};
+  return {reader, line.position_after, false};
 }
 
 Result<OLines::Place> OLines::place_of(std::uint16_t reader, Position at) {
   const OFile& all = flow_.of(m_, reader);
   const auto found = all.by_offset.find(at.offset);
   if (found == all.by_offset.end()) return end_of_file_seeking(true);
-  return Place{reader, all.lines[static_cast<std::size_t>(found->second)].behind, false};
+  return Place{reader, all.lines[static_cast<std::size_t>(found->second)].position_after, false};
 }
 
 Status OLines::call() {

@@ -19,8 +19,8 @@ Status OLines::while_loop() {
   if (!test) return fail(test.error());
   if (const Mark* const known = mark(); known != nullptr && known->word == OWord::do_ && known->at != m_.block->position) {
     const bool early = std::exchange(flow_.break_left, false);
-    if (*test != 0 && !early) return jump_to(behind(*known));
-    if (*test != 0) tell(flow_.warned_early, AlarmId::loop_ends_early);
+    if (*test != 0 && !early) return jump_to(position_after(*known));
+    if (*test != 0) warn_once(flow_.warned_early, AlarmId::loop_ends_early);
     forget_mark();
     return {};
   }
@@ -30,7 +30,7 @@ Status OLines::while_loop() {
   }
   forget_mark();
   flow_.continue_left = false;
-  return behind_end({OWord::endwhile});
+  return after_end({OWord::endwhile});
 }
 
 Status OLines::repeat() {
@@ -38,7 +38,7 @@ Status OLines::repeat() {
   if (!count) return fail(count.error());
   if (std::round(*count) < 1) {
     flow_.continue_left = false;
-    return behind_end({OWord::endrepeat});
+    return after_end({OWord::endrepeat});
   }
   const auto made = take_mark(OWord::repeat);
   if (!made) return fail(made.error());
@@ -47,16 +47,16 @@ Status OLines::repeat() {
 }
 
 /// Jumps to the line after the end of the loop or branch. `ends`: the O words by which it may end.
-Status OLines::behind_end(std::initializer_list<OWord> ends) {
+Status OLines::after_end(std::initializer_list<OWord> ends) {
   const std::int32_t end = next_of(ends);
   if (end < 0) return end_of_file_seeking();
-  return jump_to(row(end).behind);
+  return jump_to(row(end).position_after);
 }
 
-Position OLines::behind(const Mark& of) {
+Position OLines::position_after(const Mark& of) {
   const OFile& all = of.reader == m_.program().reader() ? *file_ : flow_.of(m_, of.reader);
   const auto found = all.by_offset.find(of.at.offset);
-  return found == all.by_offset.end() ? of.at : all.lines[static_cast<std::size_t>(found->second)].behind;
+  return found == all.by_offset.end() ? of.at : all.lines[static_cast<std::size_t>(found->second)].position_after;
 }
 
 Status OLines::end_loop(OWord of) {
@@ -68,10 +68,10 @@ Status OLines::end_loop(OWord of) {
     const Position begin = known->at;
     forget_mark();
     if (!std::exchange(flow_.continue_left, false)) return {};
-    tell(flow_.warned_again, AlarmId::loop_runs_again);
+    warn_once(flow_.warned_again, AlarmId::loop_runs_again);
     return jump_to(begin);
   }
-  return jump_to(behind(*known));
+  return jump_to(position_after(*known));
 }
 
 Status OLines::leave_loop(bool again) {
@@ -81,7 +81,7 @@ Status OLines::leave_loop(bool again) {
     return wrong(fmt::format("{}: no matching while/do label: '{}' {}", line(), line_text(), found(*known)));
   const bool of_while = known->word == OWord::while_;
   if (of_while && (again || flow_.continue_left)) {
-    if (!again) tell(flow_.warned_again, AlarmId::loop_runs_again);
+    if (!again) warn_once(flow_.warned_again, AlarmId::loop_runs_again);
     flow_.continue_left = false;
     return jump_to(known->at);
   }
@@ -90,11 +90,11 @@ Status OLines::leave_loop(bool again) {
   if (end < 0) return end_of_file_seeking();
   if (again) return jump_to(row(end).at);
   forget_mark();
-  return jump_to(row(end).behind);
+  return jump_to(row(end).position_after);
 }
 
-void OLines::tell(bool& told, AlarmId id) {
-  if (!std::exchange(told, true)) m_.warn(warning(id, s_.where));
+void OLines::warn_once(bool& reported, AlarmId id) {
+  if (!std::exchange(reported, true)) m_.warn(warning(id, s_.where));
 }
 
 Status OLines::branch() {
@@ -116,7 +116,7 @@ Status OLines::other_branch() {
   Mark* const known = mark();
   if (known == nullptr) return undefined();
   if (known->word != OWord::if_) return wrong(fmt::format("{}: no matching 'if' label: '{}' {}", line(), line_text(), found(*known)));
-  if (known->taken) return behind_end({OWord::endif});
+  if (known->taken) return after_end({OWord::endif});
   if (s_.o_word == OWord::else_) {
     known->taken = true;
     return {};

@@ -106,11 +106,11 @@ class OLines {
   Status while_loop();
   Status repeat();
   /// Jumps to the line after the end of the loop or branch. `ends`: the O words by which it may end.
-  Status behind_end(std::initializer_list<OWord> ends);
-  Position behind(const Mark& of);
+  Status after_end(std::initializer_list<OWord> ends);
+  Position position_after(const Mark& of);
   Status end_loop(OWord of);
   Status leave_loop(bool again);
-  void tell(bool& told, AlarmId id);
+  void warn_once(bool& reported, AlarmId id);
 
   // ---- branches
   Status branch();

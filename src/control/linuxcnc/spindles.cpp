@@ -54,8 +54,8 @@ SpindleDir direction_of(const BlockContext& m, int number) {
 }
 
 double speed_of_block(const BlockContext& m, int number) {
-  const int told = spindle_word(m).value_or(0);
-  return m.has('S') && (told == number || told == all_spindles) ? m.value('S') : rpm_of(m, number);
+  const int selected = spindle_word(m).value_or(0);
+  return m.has('S') && (selected == number || selected == all_spindles) ? m.value('S') : rpm_of(m, number);
 }
 
 Status take_spindle(BlockContext& m, const char* text, Span where) {

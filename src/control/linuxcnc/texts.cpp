@@ -54,10 +54,10 @@ Words no_value(const AlarmReport& report) {
   const std::string_view at = there(report);
   const std::size_t letter_bytes =
       std::max<std::size_t>(first_character(at).size, 1);  // a Russian letter that looks like a Latin letter has two bytes
-  const std::size_t behind = at.find_first_not_of(" \t", letter_bytes);
-  if (behind == std::string_view::npos || at[behind] == '(' || at[behind] == ';')
+  const std::size_t after = at.find_first_not_of(" \t", letter_bytes);
+  if (after == std::string_view::npos || at[after] == '(' || at[after] == ';')
     return {AlarmId::rs274_form, "No characters found in reading real value"};
-  return {AlarmId::rs274_form, fmt::format("bad number format (conversion failed) parsing '{}'", at.substr(behind))};
+  return {AlarmId::rs274_form, fmt::format("bad number format (conversion failed) parsing '{}'", at.substr(after))};
 }
 
 /// Returns the number that is written at the alarm's location (digits, decimal points, signs). The location may be the start or the end of

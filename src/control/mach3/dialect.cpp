@@ -38,10 +38,10 @@ class Mach3 final : public Dialect {
   Status accept_answer(Emitter& m, const ProbeAnswer& answer) override {
     KADR_TRY(m.note_answer(answer));
     KADR_TRY(write_point(m));
-    double way = 0;
-    for (std::size_t a = 0; a < m.axis_count; ++a) way += (answer.at[a] - begin_[a]) * (answer.at[a] - begin_[a]);
-    way = std::sqrt(way);
-    const double part = way > 0 ? std::min(1.0, m.def.behaviour.probe_retract / way) : 0;
+    double travel = 0;
+    for (std::size_t a = 0; a < m.axis_count; ++a) travel += (answer.at[a] - begin_[a]) * (answer.at[a] - begin_[a]);
+    travel = std::sqrt(travel);
+    const double part = travel > 0 ? std::min(1.0, m.def.behaviour.probe_retract / travel) : 0;
     if (part == 0) return {};
     back_ = Back{};
     back_->origin = m.origin;

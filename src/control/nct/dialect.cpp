@@ -21,8 +21,8 @@ namespace nct {
 void Nct::started(Emitter& m) {
   couple_gantries(m);
   for (const auto& [name, value] : signals)  // some signals that couple, exchange or park axes are on from the start (20.2 to 20.4)
-    if (const AxisSignal asked = axis_signal(name); value != 0 && !asked.axis.empty())
-      couple_axis(m, std::string(asked.axis), asked.link, true);
+    if (const AxisSignal signal = axis_signal(name); value != 0 && !signal.axis.empty())
+      couple_axis(m, std::string(signal.axis), signal.link, true);
 }
 
 /// Copies from another channel the tables that all channels share: tools, pockets and forms (12.3).
@@ -32,7 +32,7 @@ void Nct::take_common(BlockContext& m, const Dialect& from) {
 }
 
 Result<bool> Nct::finish(Interpreter& m) {
-  if (!drives.asked.empty()) execute_requests(m);
+  if (!drives.requests.empty()) execute_requests(m);
   return Fanuc::finish(m);
 }
 

@@ -17,8 +17,8 @@ void Nct::couple_axis(Emitter& m, const std::string& name, AxisLink link, bool o
 void Nct::set_time(double at_ms, double cut_ms) {
   Fanuc::set_time(at_ms, cut_ms);
   constexpr double ms_per_s = 1000;
-  const SpindleState& leads = spindle(Fanuc::state.main_spindle);
-  const bool turns = leads.dir == SpindleDir::cw || leads.dir == SpindleDir::ccw;
+  const SpindleState& leading = spindle(Fanuc::state.main_spindle);
+  const bool turns = leading.dir == SpindleDir::cw || leading.dir == SpindleDir::ccw;
   const bool turned_then = std::exchange(turned, turns);
   if (counts_time && (turns || turned_then)) tools.add_time(cut_ms / ms_per_s, spindle_magazine());
   counts_time = tools.counts_time();

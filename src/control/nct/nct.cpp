@@ -57,14 +57,14 @@ void Nct::take_setup(Emitter& m, const Setup& setup) {
 /// Switches the power off and on (23.5): the gearbox ends, and each axis drives its own machine axis again.
 bool Nct::lose_power(Interpreter& m) {
   ActionBatch unseen;
-  ActionBatch* const kept = std::exchange(m.batch, &unseen);
+  ActionBatch* const batch_before = std::exchange(m.batch, &unseen);
   disengage(m);
   Fanuc::lose_power(m);
   couplings = {};
   following = 0;
   end_drives(m);
   couple_gantries(m);
-  m.batch = kept;
+  m.batch = batch_before;
   tool_magazine = 10;
   return true;
 }

@@ -53,7 +53,7 @@ class Nct : public Fanuc, public nct::Memory {
   void couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) override;
   const std::vector<CrossChannelAxis>& cross_channel_axes() const override { return couplings.far; }
   void drop_cross_channel(Emitter& m, const CrossChannelAxis& axis) override;
-  void lead_axis(Emitter& m, std::size_t axis, double machine) override;
+  void move_linked_axis(Emitter& m, std::size_t axis, double machine) override;
   bool may_exchange(const BlockContext& m, std::size_t axis) const override;
   void exchange_cross_channel(std::size_t axis, double machine, bool on) override;
   bool is_parked(std::size_t axis) const override { return (drives.parked >> axis & 1U) != 0; }
@@ -61,7 +61,7 @@ class Nct : public Fanuc, public nct::Memory {
   bool waiting_suspended() const override;
 
   // ---- functions that the interpreter calls (dialect.cpp)
-  bool has_unfinished() const override { return Fanuc::has_unfinished() || !drives.asked.empty(); }
+  bool has_unfinished() const override { return Fanuc::has_unfinished() || !drives.requests.empty(); }
   Result<bool> finish(Interpreter& m) override;
   bool lines_follow(const BlockContext& m) const override { return drives.parked == 0 && Fanuc::lines_follow(m); }
   Status may_move(const BlockContext& m, AxisMask named) const override;

@@ -155,7 +155,7 @@ struct Transform {
   /// Converts a point of the plane, in mm. The third coordinate is not needed if the transformation does not leave the plane.
   Vec2 to_work(Vec2 programmed, PlaneAxes plane) const;
   /// Converts a direction in the plane: mirrors and rotates it, without scaling (nct 15.5.6).
-  Vec2 direction(Vec2 way, PlaneAxes plane) const;
+  Vec2 direction(Vec2 vector, PlaneAxes plane) const;
   /// Returns the factor for the size of a rounding or chamfer at a corner: the mean of the absolute scale factors of the two axes (nct
   /// 16.2).
   double corner_scale(PlaneAxes plane) const;

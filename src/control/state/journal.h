@@ -78,7 +78,7 @@ class JournalLink {
   JournalLink(const JournalLink&) {}
   JournalLink& operator=(const JournalLink&) { return *this; }  // NOLINT(bugprone-unhandled-self-assignment): nothing is assigned
   ~JournalLink() = default;
-  void lead_to(Journal& journal) { journal_ = &journal; }
+  void relink(Journal& journal) { journal_ = &journal; }
 
   template <class Undo>
   void on_undo(Undo&& undo) const {
@@ -87,7 +87,7 @@ class JournalLink {
   /// Returns true at the first call in this block. Without a journal the result is false, because nothing is restored.
   bool is_first() { return journal_ != nullptr && std::exchange(seen_, journal_->block()) != journal_->block(); }
   /// Makes is_first() return true at its next call, as if the table had recorded nothing in this block.
-  void start_anew() { seen_ = 0; }
+  void start_again() { seen_ = 0; }
   explicit operator bool() const { return journal_ != nullptr; }
 
  private:

@@ -49,7 +49,7 @@ struct RunMemory {
   bool optional_stop_on = false;
   std::array<bool, 10> skip_switches{};
   std::vector<bool> skip_answers;                // the operator's answers about blocks to skip (spec/gost 2); empty: no questions
-  std::size_t skips_asked = 0;                   // number of answers used; the last answer applies to all further questions
+  std::size_t answers_used = 0;                  // number of answers used; the last answer applies to all further questions
   std::optional<bool> skips_it;                  // the operator's answer for the current block: true to skip the block
   std::array<bool, max_axes> mirror_switches{};  // by axis: mirror switches on the panel of the 2С42 (6.8)
 };

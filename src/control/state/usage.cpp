@@ -17,14 +17,14 @@ void ProgramUse::note(UseKind kind, std::uint32_t number, const Origin& origin, 
   const std::uint32_t tool = in_spindle_ != 0 ? in_spindle_ : called_;
   // true: the first use by each tool is recorded, because several tools may use one offset
   const bool of_tool = kind == UseKind::length || kind == UseKind::radius;
-  const auto is_kept = [&](const Use& use) { return use.kind == kind && use.number == number && (!of_tool || use.tool == tool); };
+  const auto is_same_use = [&](const Use& use) { return use.kind == kind && use.number == number && (!of_tool || use.tool == tool); };
   std::vector<bool>& seen = seen_[static_cast<std::size_t>(kind)];
   constexpr std::size_t tabled = 65'536;  // smaller numbers have bits in seen_; greater numbers are rare and are searched in the list
   if (number < tabled) {
-    if (number < seen.size() && seen[number] && (!of_tool || std::any_of(all_.begin(), all_.end(), is_kept))) return;
+    if (number < seen.size() && seen[number] && (!of_tool || std::any_of(all_.begin(), all_.end(), is_same_use))) return;
     if (number >= seen.size()) seen.resize(number + 1);
     seen[number] = true;
-  } else if (std::any_of(all_.begin(), all_.end(), is_kept)) {
+  } else if (std::any_of(all_.begin(), all_.end(), is_same_use)) {
     return;
   }
   all_.push_back({kind, number, origin, zero, tool});

@@ -16,7 +16,7 @@ Locals no_locals() {
 MacroVariables::MacroVariables(std::shared_ptr<Commons> shared, int shared_100, int shared_500)
     : shared_(std::move(shared)), own_(std::make_unique<Commons>()) {
   for (int n = first_common; n <= last_common; ++n) {
-    const bool is_shared = n < first_kept ? n - first_common < shared_100 : n - first_kept < shared_500;
+    const bool is_shared = n < first_permanent ? n - first_common < shared_100 : n - first_permanent < shared_500;
     commons_[static_cast<std::size_t>(n - first_common)] = &(is_shared ? shared_.get() : own_.get())->values[static_cast<std::size_t>(n)];
   }
   levels_.push_back(no_locals());
@@ -41,7 +41,7 @@ void MacroVariables::resume_from(const Memory& memory) {
 }
 
 void MacroVariables::power_off() {
-  for (int n = first_common; n < first_kept; ++n) *commons_[static_cast<std::size_t>(n - first_common)] = vacant;
+  for (int n = first_common; n < first_permanent; ++n) *commons_[static_cast<std::size_t>(n - first_common)] = vacant;
   levels_.assign(1, no_locals());
 }
 

@@ -15,7 +15,7 @@
 namespace kadr {
 
 inline constexpr std::size_t max_locals = 33;
-inline constexpr int first_common = 100, last_common = 999, first_kept = 500;
+inline constexpr int first_common = 100, last_common = 999, first_permanent = 500;
 
 using Locals = std::array<double, max_locals + 1>;  // #1 … #33, by number; [0] is unused
 Locals no_locals();
@@ -47,8 +47,8 @@ class MacroVariables {
   double common(int n) const { return *commons_[static_cast<std::size_t>(n - first_common)]; }
   void set_common(int n, double value) {
     *commons_[static_cast<std::size_t>(n - first_common)] = value;
-    if (n >= first_kept && !is_changed_[static_cast<std::size_t>(n - first_kept)]) {
-      is_changed_[static_cast<std::size_t>(n - first_kept)] = true;
+    if (n >= first_permanent && !is_changed_[static_cast<std::size_t>(n - first_permanent)]) {
+      is_changed_[static_cast<std::size_t>(n - first_permanent)] = true;
       changed_.push_back(static_cast<std::uint16_t>(n));
     }
   }
@@ -102,7 +102,7 @@ class MacroVariables {
   std::map<std::uint32_t, double> further_;
   std::set<std::uint32_t> further_changed_;
   std::vector<std::uint16_t> changed_;
-  std::array<bool, last_common - first_kept + 1> is_changed_{};
+  std::array<bool, last_common - first_permanent + 1> is_changed_{};
 };
 
 }  // namespace kadr

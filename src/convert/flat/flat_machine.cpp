@@ -11,7 +11,7 @@ bool FlatProgram::has_no_zeroless_system() const { return row_that_does(blocks_.
 
 namespace {
 
-constexpr std::initializer_list<Wanted> machine_codes = {
+constexpr std::initializer_list<FunctionArg> machine_codes = {
     {Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}};
 
 const CodeRow* reference_code(const ControlDef& def, int point) {
@@ -27,7 +27,7 @@ const CodeRow* reference_code(const ControlDef& def, int point) {
 /// True if the target control has a modal code that cancels the work offset (G53 of the 2С42 and of GOST). Words after this code are
 /// machine coordinates, except for the tool length.
 bool FlatProgram::is_without_zero(const Motion& motion) const {
-  return way_ != FlatForm::plain && motion.end_reference == EndReference::by_machine &&
+  return form_ != FlatForm::plain && motion.end_reference == EndReference::by_machine &&
          row_that_does(blocks_.def(), machine_codes) == nullptr && !has_no_zeroless_system();
 }
 
@@ -51,7 +51,7 @@ Status FlatProgram::motion_without_zero(Function function, const Motion& motion)
 
 bool FlatProgram::is_in_machine(const Motion& motion) const {
   if (motion.end_reference == EndReference::by_machine && row_that_does(blocks_.def(), machine_codes) != nullptr) return true;
-  return way_ != FlatForm::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
+  return form_ != FlatForm::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
 }
 
 /// True if the target control allows motions at feed (G1), not only rapids, in machine coordinates.

@@ -62,7 +62,7 @@ std::optional<char> FlatProgram::letter_of(std::size_t axis) const {
 }
 
 Axes FlatProgram::base() const {
-  if (way_ == FlatForm::plain) return {};
+  if (form_ == FlatForm::plain) return {};
   Axes base = placement_.length;
   if (is_between()) {
     for (std::size_t a = 0; a < max_axes; ++a) base[a] += written_origin_[a];
@@ -143,7 +143,7 @@ void FlatProgram::pass(const Action& action) {
 }
 
 Status FlatProgram::open(const FlatBefore& before, const OffsetsInForce& now) {
-  said_ = now;
+  written_offsets_ = now;
   is_exact_ = before.exact && has_stop_modes();
   system_is_written_ = true;
   known_ = 0, code_ = Function::count, feed_ = -1;
@@ -179,7 +179,7 @@ Status FlatProgram::write_before_motion(const Motion& motion, const OffsetsInFor
   }
   KADR_TRY(length_by_word(now));
   if (is_between() && system_is_written_) system_ = motion.system;
-  if (way_ == FlatForm::plain || motion.system == system_ || !source_.has_systems) return {};
+  if (form_ == FlatForm::plain || motion.system == system_ || !source_.has_systems) return {};
   known_ = 0;  // offsets that are equal in this set-up may differ on the machine, so all axes are written again
   const int system = motion.system;
   if (system == 0 && has_no_zeroless_system()) return {};  // each motion is then written in machine coordinates, and no code is needed here
@@ -207,8 +207,9 @@ Status FlatProgram::write_with_motion(const Motion& motion, const OffsetsInForce
     if (motion.side != 0 && now.radius_number != 0) KADR_TRY(blocks_.word('D', now.radius_number));
     side_ = motion.side;
   }
-  const bool same = now.length_sign == said_.length_sign && (now.length_sign == 0 || now.length_number == said_.length_number);
-  if (way_ == FlatForm::plain || same || is_length_by_word()) return {};
+  const bool same =
+      now.length_sign == written_offsets_.length_sign && (now.length_sign == 0 || now.length_number == written_offsets_.length_number);
+  if (form_ == FlatForm::plain || same || is_length_by_word()) return {};
   if (now.length_sign == 0)
     KADR_TRY(blocks_.code({{Function::length_off, any_argument},
                            {Function::length_comp, 0},
@@ -220,7 +221,7 @@ Status FlatProgram::write_with_motion(const Motion& motion, const OffsetsInForce
   if (now.length_sign != 0)
     KADR_TRY(
         blocks_.word(blocks_.has_word('H') && blocks_.def().address('H').function != Function::repeat_word ? 'H' : 'D', now.length_number));
-  said_ = now;
+  written_offsets_ = now;
   return {};
 }
 

@@ -55,8 +55,8 @@ struct FlatSource {
 
 class FlatProgram {
  public:
-  FlatProgram(BlockMaker& blocks, FlatSource source, FlatForm way)
-      : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), way_(way), modes_(path_modes_of(blocks.def())) {}
+  FlatProgram(BlockMaker& blocks, FlatSource source, FlatForm form)
+      : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), form_(form), modes_(path_modes_of(blocks.def())) {}
 
   ///   stand  position of the axes at the beginning; `placement` contains the work offset in force
   Status begin(const ToolPosition& stand, const Placement& placement);
@@ -137,15 +137,15 @@ class FlatProgram {
 
   Axes written_position(const Axes& zero) const;
   double word_of(std::size_t axis, double to, double zero) const { return relative_ ? to - at_[axis] : to - zero; }
-  bool is_by_codes() const { return way_ == FlatForm::contours || way_ == FlatForm::places; }
-  bool is_between() const { return way_ == FlatForm::places || way_ == FlatForm::centres; }
+  bool is_by_codes() const { return form_ == FlatForm::contours || form_ == FlatForm::places; }
+  bool is_between() const { return form_ == FlatForm::places || form_ == FlatForm::centres; }
   /// Returns the origin, in machine coordinates, from which the words of the target text count.
   Axes base() const;
 
   BlockMaker& blocks_;
   const FlatSource source_;
   const std::vector<std::string>& axes_;
-  const FlatForm way_;
+  const FlatForm form_;
   const PathModes modes_;  // path modes of the target control
 
   Axes at_{};  // position of the axes in machine coordinates
@@ -158,7 +158,7 @@ class FlatProgram {
   int plane_ = 17;
   std::uint16_t system_ = 0;
   std::int8_t side_ = 0;
-  OffsetsInForce said_;
+  OffsetsInForce written_offsets_;
   std::uint32_t selected_ = 0;
   std::size_t motions_ = 0;
   std::optional<std::uint16_t> counts_from_;

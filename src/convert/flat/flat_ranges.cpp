@@ -61,7 +61,7 @@ class RangeWriter {
   static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
   bool has_room_for(std::string_view line) {
-    is_full_ = is_full_ || kept_ + text_.size() + line.size() > max_made;
+    is_full_ = is_full_ || stored_bytes_ + text_.size() + line.size() > max_made;
     if (!is_full_) text_ += line;
     return !is_full_;
   }
@@ -134,7 +134,7 @@ class RangeWriter {
     // A range that has done nothing is not counted as executed: its lines were only skipped, such as a subprogram before its call.
     if (!std::exchange(has_acted_, false)) return void(open_ = nowhere);
     place.probed = place.probed || flat_.has_probed();
-    if (place.times++ == 0) place.text = text_, kept_ += text_.size(), place.motions = flat_.motions() - begun_at_;
+    if (place.times++ == 0) place.text = text_, stored_bytes_ += text_.size(), place.motions = flat_.motions() - begun_at_;
     else place.differs = place.differs || place.text != text_;
     text_.clear();
     open_ = nowhere;
@@ -169,7 +169,7 @@ class RangeWriter {
   std::vector<const CodeRow*> codes_of_modes_;  // rows of the codes for the modes in FlatBefore
   OffsetsInForce now_;
   std::uint32_t number_ = ~std::uint32_t{0};  // sequence number of the block in the run
-  std::size_t kept_ = 0;                      // size in bytes of the texts of all ranges so far
+  std::size_t stored_bytes_ = 0;              // size in bytes of the texts of all ranges so far
   std::size_t open_ = nowhere, begun_at_ = 0;
   bool is_new_ = true, has_acted_ = false, inch_ = false, is_over_ = false, is_full_ = false;
 };

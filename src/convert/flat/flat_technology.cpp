@@ -10,8 +10,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::initializer_list<Wanted> continuous_path_codes = {{Function::constant_velocity, any_argument},
-                                                                 {Function::feed_control, continuous_cutting}};
+constexpr std::initializer_list<FunctionArg> continuous_path_codes = {{Function::constant_velocity, any_argument},
+                                                                      {Function::feed_control, continuous_cutting}};
 
 Status not_there(const char* what) { return fail(alarm(AlarmId::function_has_no_code, {}, std::string_view(what))); }
 
@@ -67,13 +67,13 @@ Status FlatProgram::coolant(Coolant what) {
 
 /// True for a control without a tool table, whose length code contains the length itself as a word (spec/grbl 4.15).
 bool FlatProgram::is_length_by_word() const {
-  const auto has = [&](std::initializer_list<Wanted> wanted) { return row_that_does(blocks_.def(), wanted) != nullptr; };
+  const auto has = [&](std::initializer_list<FunctionArg> functions) { return row_that_does(blocks_.def(), functions) != nullptr; };
   return has({{Function::length_by_word, any_argument}}) &&
          !has({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}});
 }
 
 Status FlatProgram::length_by_word(const OffsetsInForce& now) {
-  if (way_ == FlatForm::plain || !is_length_by_word()) return {};
+  if (form_ == FlatForm::plain || !is_length_by_word()) return {};
   const auto z = std::find(axes_.begin(), axes_.end(), "Z");
   const double length = now.length_sign == 0 || z == axes_.end() ? 0 : placement_.length[std::size_t(z - axes_.begin())];
   if (length == written_length_) return {};
@@ -208,8 +208,8 @@ Status FlatProgram::corner_mode(CornerSpeed corners) {
 /// Writes G5.1 before the block of the motion. Q1 joins short motions. Only straight motions can be smoothed (nct 4.7).
 Status FlatProgram::smoothing(const Motion& motion) {
   if (motion.kind != MotionKind::feed || motion.exact || !modes_.smoothing) return {};
-  const std::uint8_t wanted = motion.smoothing != 0 ? motion.smoothing : std::uint8_t(motion.join != 0 ? 1 : 0);
-  return wanted == smoothing_ ? Status() : smoothing_mode(wanted);
+  const std::uint8_t mode = motion.smoothing != 0 ? motion.smoothing : std::uint8_t(motion.join != 0 ? 1 : 0);
+  return mode == smoothing_ ? Status() : smoothing_mode(mode);
 }
 
 Status FlatProgram::smoothing_mode(std::uint8_t smoothing) {

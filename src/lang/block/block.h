@@ -165,7 +165,7 @@ struct Block {
   std::optional<Alarm> broken;  // a fault after the words; faults of the words before it are reported first (spec/grbl 1.3)
   bool evaluates = false;       // the value of at least one word is an expression
   bool codes_vary = false;      // the number of at least one code is an expression
-  bool kept = false;            // the block remains in memory at this address, because a loop executes it again
+  bool repeated = false;        // the block remains in memory at this address, because a loop executes it again
   bool no_clock = false;        // no expression of the block reads a clock, as a check has found
   std::uint64_t checked = 0;    // value of `letters` when the words were last found correct; 0: the words have not been checked
   bool calls_macro = false;     // the check that set `checked` has found that the block calls a macro
@@ -183,7 +183,7 @@ struct Block {
   /// Clears the block, so that the next block can be read into it. The lists keep their allocated memory.
   void clear() {
     marker = Marker::none;
-    has_number = main_block = evaluates = altered = codes_vary = kept = no_clock = false;
+    has_number = main_block = evaluates = altered = codes_vary = repeated = no_clock = false;
     checked = 0;
     file_name = {};
     broken.reset();

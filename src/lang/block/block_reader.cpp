@@ -31,7 +31,7 @@ BlockReader::BlockReader(std::shared_ptr<ByteSource> source, const Grammar& gram
     return;
   }
   if (memory_.encoding == Encoding::eia) lines_.end_lines_with(static_cast<char>(eia_end_of_block));
-  if (const auto look = inspect_tape(lines_.sample()); look) lie_ = look->lie;
+  if (const auto look = inspect_tape(lines_.sample()); look) orientation_ = look->orientation;
 }
 
 std::string BlockReader::shown(std::string_view text, Span& place) const {
@@ -61,7 +61,7 @@ void BlockReader::seek(Position position) {
 }
 
 Result<BlockReader::Got> BlockReader::next(Block& block) {
-  if (lie_ != TapeOrientation::right) [[unlikely]]
+  if (orientation_ != TapeOrientation::right) [[unlikely]]
     return reversed_tape(block);
   for (;;) {
     // A copy that stays in registers. Storing the members of position_ one by one would delay a load of the whole Position.
@@ -106,7 +106,7 @@ Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   block.text = {};
   block.where = {};
   if (std::exchange(memory_.orientation_reported, true)) return Got::end;
-  return fail(alarm(AlarmId::tape_reversed, {}, name_of(lie_)));
+  return fail(alarm(AlarmId::tape_reversed, {}, name_of(orientation_)));
 }
 
 /// Starts a new line. After a jump into the middle of a line, skips the blocks before number `nth` of the line.

@@ -67,7 +67,7 @@ class BlockReader {
   std::size_t rest_ = 0;   // offset in text_ at which the next block starts
   bool in_line_ = false;
   bool is_text_ = false;  // text_ is valid UTF-8, so it need not be decoded
-  TapeOrientation lie_ = TapeOrientation::right;
+  TapeOrientation orientation_ = TapeOrientation::right;
   ProgramFrame frame_;  // start and end of the program by the signs %, on controls that use the signs in this way
   Position position_;
 };

@@ -20,28 +20,28 @@ bool is_real_time(char c) { return c == '!' || c == '?' || c == '~' || is_high(c
 }  // namespace
 
 Status LineWordReader::read() {
-  kept_ = filtered(cursor_.text, place_);
+  filtered_ = filtered(cursor_.text, place_);
   cursor_.at = cursor_.text.size();
-  if (grammar_.block_length != 0 && kept_.size() > grammar_.block_length)
-    return fail(alarm(AlarmId::block_too_long, span(0, kept_.size()), double(kept_.size()), double(grammar_.block_length)));
-  if (kept_.empty()) return {};
-  if (kept_ == "%") {  // programs that send files to Grbl omit a line with %, so the line has no effect
+  if (grammar_.block_length != 0 && filtered_.size() > grammar_.block_length)
+    return fail(alarm(AlarmId::block_too_long, span(0, filtered_.size()), double(filtered_.size()), double(grammar_.block_length)));
+  if (filtered_.empty()) return {};
+  if (filtered_ == "%") {  // programs that send files to Grbl omit a line with %, so the line has no effect
     block_.warnings.push_back(note(AlarmId::percent_passed_over, span(0, 1)));
     return {};
   }
-  if (kept_[0] != '$') {
+  if (filtered_[0] != '$') {
     words(0);
     return {};
   }
   Statement& s = block_.statement;
   s.kind = StatementKind::system;
-  s.where = s.text = span(0, kept_.size());
-  if (kept_.starts_with("$J=")) words(3);
+  s.where = s.text = span(0, filtered_.size());
+  if (filtered_.starts_with("$J=")) words(3);
   return {};
 }
 
 std::string filtered(std::string_view line, std::vector<std::uint32_t>& place) {
-  std::string kept;
+  std::string passed;
   bool in_comment = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
@@ -52,10 +52,10 @@ std::string filtered(std::string_view line, std::vector<std::uint32_t>& place) {
     if (c == ';') break;
     in_comment = c == '(';
     if (in_comment || c == '/' || is_real_time(c) || static_cast<unsigned char>(c) <= ' ') continue;
-    kept += to_upper(c);
+    passed += to_upper(c);
     place.push_back(static_cast<std::uint32_t>(i));
   }
-  return kept;
+  return passed;
 }
 
 std::size_t size_of_number(std::string_view text) {
@@ -66,24 +66,24 @@ std::size_t size_of_number(std::string_view text) {
 }
 
 void LineWordReader::words(std::size_t from) {
-  for (std::size_t at = from; at < kept_.size();)
+  for (std::size_t at = from; at < filtered_.size();)
     if (!word(at)) return;
 }
 
 /// Reads a letter and a number. Returns false if the line has a fault at this word.
 bool LineWordReader::word(std::size_t& at) {
   const std::size_t begin = at;
-  const char letter = kept_[at];
+  const char letter = filtered_[at];
   if (!is_capital(letter)) {
-    block_.broken = alarm(AlarmId::unexpected_character, span(at, at + 1), std::string_view(kept_).substr(at, 1));
+    block_.broken = alarm(AlarmId::unexpected_character, span(at, at + 1), std::string_view(filtered_).substr(at, 1));
     return false;
   }
-  const std::size_t size = size_of_number(std::string_view(kept_).substr(++at)), end = at + size;
+  const std::size_t size = size_of_number(std::string_view(filtered_).substr(++at)), end = at + size;
   if (size == 0) {
     block_.broken = alarm(AlarmId::number_missing, span(begin, at), letter);
     return false;
   }
-  const std::string_view number = std::string_view(kept_).substr(at, end - at);
+  const std::string_view number = std::string_view(filtered_).substr(at, end - at);
   at = end;
   if (!grammar_.word(letter).known) {
     block_.broken = alarm(AlarmId::address_unknown, span(begin, end), letter);

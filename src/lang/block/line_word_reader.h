@@ -48,8 +48,8 @@ class LineWordReader {
   Cursor& cursor_;
   const Grammar& grammar_;
   Block& block_;
-  std::string kept_;                  // the characters of the line that the filter keeps, in capitals
-  std::vector<std::uint32_t> place_;  // offset in the line of each character of kept_
+  std::string filtered_;              // the characters of the line that the filter keeps, in capitals
+  std::vector<std::uint32_t> place_;  // offset in the line of each character of filtered_
 };
 
 }  // namespace kadr

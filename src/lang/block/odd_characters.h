@@ -20,11 +20,11 @@ inline Alarm unexpected_at(std::string_view text, std::size_t at) {
 
 /// Accepts Ctrl-Z at the end of the text and moves the cursor after it. Returns false if other characters follow.
 inline bool passes_dos_end(Cursor& cursor) {
-  Cursor behind = cursor;
-  ++behind.at;
-  behind.skip_blanks();
-  if (behind.at < behind.text.size()) return false;
-  cursor = behind;
+  Cursor after = cursor;
+  ++after.at;
+  after.skip_blanks();
+  if (after.at < after.text.size()) return false;
+  cursor = after;
   return true;
 }
 

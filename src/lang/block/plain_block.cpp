@@ -104,15 +104,15 @@ const char* PlainBlocks::block_number(const char* at, const char* end, Block& bl
   const char* const begin = block.text.data();
   const WordFormat& format = grammar_.word('N');
   Digits digits;
-  const char* const behind = digits_at(at + 1, end, digits);
+  const char* const number_end = digits_at(at + 1, end, digits);
   if (block.has_number || block.word_count != 0 || digits.has_point || digits.whole == 0 || digits.whole > most_number_digits_)
     return nullptr;
   if (format.whole_digits != 0 && (digits.whole > format.whole_digits || !format.drop_zeros || format.implied)) return nullptr;
   block.has_number = true;
   block.number = static_cast<std::uint32_t>(digits.mantissa);
   block.number_digits = static_cast<std::uint8_t>(digits.whole);
-  block.number_where = {static_cast<std::uint32_t>(at - begin), static_cast<std::uint32_t>(behind - begin)};
-  return behind;
+  block.number_where = {static_cast<std::uint32_t>(at - begin), static_cast<std::uint32_t>(number_end - begin)};
+  return number_end;
 }
 
 /// Reads the word that starts here, and returns a pointer to the character after it. Returns nullptr if the word is not plain, or faulty.

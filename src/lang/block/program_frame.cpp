@@ -54,15 +54,15 @@ ProgramFrame frame_of(std::string_view sample, const Grammar& grammar) {
   if (has_sign(first)) return {0, at};
   std::size_t sign = at;
   if (has_sign(after_comments(sample, sign))) {
-    std::size_t behind = std::min(sample.find('\n', sign), sample.size() - 1) + 1;
-    return first_line(sample, behind).empty() ? ProgramFrame() : ProgramFrame{sign, sign};
+    std::size_t after = std::min(sample.find('\n', sign), sample.size() - 1) + 1;
+    return first_line(sample, after).empty() ? ProgramFrame() : ProgramFrame{sign, sign};
   }
   if (is_block(first, grammar)) return {};
   while (at < sample.size()) {
     at = std::min(sample.find('\n', at), sample.size() - 1) + 1;
     if (at == sample.size() || !has_sign(sample.substr(at, std::min(sample.find('\n', at), sample.size()) - at))) continue;
-    std::size_t behind = std::min(sample.find('\n', at), sample.size() - 1) + 1;
-    if (first_line(sample, behind).empty()) return {};  // no line follows this %, so this sign ends the program and does not start one
+    std::size_t after = std::min(sample.find('\n', at), sample.size() - 1) + 1;
+    if (first_line(sample, after).empty()) return {};  // no line follows this %, so this sign ends the program and does not start one
     return {at, at};
   }
   return {};

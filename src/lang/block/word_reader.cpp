@@ -375,9 +375,9 @@ const AddressName* WordReader::name_here() const {
     std::size_t i = 0;
     while (i < row.text.size() && to_upper(cursor_.text[cursor_.at + i]) == row.text[i]) ++i;
     if (i < row.text.size()) continue;
-    Cursor behind{cursor_.text, cursor_.at + i};
-    behind.skip_blanks();
-    if (is_digit(row.text.back()) && behind.peek() != '=') continue;
+    Cursor after{cursor_.text, cursor_.at + i};
+    after.skip_blanks();
+    if (is_digit(row.text.back()) && after.peek() != '=') continue;
     best = &row;
   }
   return best;

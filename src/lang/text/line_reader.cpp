@@ -80,10 +80,10 @@ class TextSource final : public ByteSource {
   SharedText text_;
 };
 
-using Kept = std::shared_ptr<ByteSource>;
+using OpenedSource = std::shared_ptr<ByteSource>;
 
 /// Reads all bytes of a pipe, terminal or device, because such input cannot be read twice.
-Kept read_whole(const OpenFile& file, std::uint64_t most) {
+OpenedSource read_whole(const OpenFile& file, std::uint64_t most) {
   TextSpool text;
   std::string piece(window_bytes, '\0');
   while (true) {
@@ -103,12 +103,12 @@ Kept read_whole(const OpenFile& file, std::uint64_t most) {
 /// the second reads the program.
 class Pipes {
  public:
-  static Kept known(const std::string& path) {
+  static OpenedSource known(const std::string& path) {
     const std::lock_guard lock(mutex());
     const auto found = texts().find(path);
     return found == texts().end() ? nullptr : found->second;
   }
-  static Kept keep(const std::string& path, Kept text) {
+  static OpenedSource keep(const std::string& path, OpenedSource text) {
     const std::lock_guard lock(mutex());
     if (text) texts()[path] = text;
     return text;
@@ -119,8 +119,8 @@ class Pipes {
     static std::mutex one;
     return one;
   }
-  static std::map<std::string, Kept>& texts() {
-    static std::map<std::string, Kept> all;
+  static std::map<std::string, OpenedSource>& texts() {
+    static std::map<std::string, OpenedSource> all;
     return all;
   }
 };
@@ -142,7 +142,7 @@ bool has_bare_cr(std::string_view sample) {
 }  // namespace
 
 std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess* door) {
-  if (Kept text = door == nullptr ? Pipes::known(path) : nullptr) return shared_source(std::move(text));
+  if (OpenedSource text = door == nullptr ? Pipes::known(path) : nullptr) return shared_source(std::move(text));
   OpenFile file(door != nullptr ? door->open_for_reading(path)
                 : path == "-"   ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
                                 : open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -154,7 +154,7 @@ std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess*
   }
   if (!S_ISREG(status.st_mode)) {
     const bool is_device = S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode);
-    Kept text = Pipes::keep(path, read_whole(file, is_device ? limits::device_bytes : limits::piped_bytes));
+    OpenedSource text = Pipes::keep(path, read_whole(file, is_device ? limits::device_bytes : limits::piped_bytes));
     return text ? shared_source(std::move(text)) : nullptr;
   }
   // The call only advises the system about the access, so its result has no effect here.

@@ -75,30 +75,30 @@ std::optional<TapeFinding> inspect_tape(std::string_view rows) {
   std::optional<TapeFinding> best;
   double most = -2;
   for (const TapeCode code : {TapeCode::iso, TapeCode::eia})
-    for (const TapeOrientation lie :
+    for (const TapeOrientation orientation :
          {TapeOrientation::right, TapeOrientation::wrong_end, TapeOrientation::wrong_side, TapeOrientation::both}) {
-      const bool right = lie == TapeOrientation::right;
-      const Likeness like = right ? likeness(rows, code, least_rows) : likeness(turned(rows, lie), code, least_turned);
+      const bool right = orientation == TapeOrientation::right;
+      const Likeness like = right ? likeness(rows, code, least_rows) : likeness(turned(rows, orientation), code, least_turned);
       if (!like.is_tape) continue;
-      if (right && like.forward > 0) return TapeFinding{code, lie};
+      if (right && like.forward > 0) return TapeFinding{code, orientation};
       if (!right && like.forward < sure) continue;
       if (like.forward <= most) continue;
       most = like.forward;
-      best = TapeFinding{code, lie};
+      best = TapeFinding{code, orientation};
     }
   return best;
 }
 
-std::string turned(std::string_view rows, TapeOrientation lie) {
+std::string turned(std::string_view rows, TapeOrientation orientation) {
   std::string there(rows);
-  if (lie == TapeOrientation::wrong_end || lie == TapeOrientation::both) std::reverse(there.begin(), there.end());
-  if (lie == TapeOrientation::wrong_side || lie == TapeOrientation::both)
+  if (orientation == TapeOrientation::wrong_end || orientation == TapeOrientation::both) std::reverse(there.begin(), there.end());
+  if (orientation == TapeOrientation::wrong_side || orientation == TapeOrientation::both)
     for (char& row : there) row = static_cast<char>(mirrored(static_cast<std::uint8_t>(row)));
   return there;
 }
 
-std::string_view name_of(TapeOrientation lie) {
-  switch (lie) {
+std::string_view name_of(TapeOrientation orientation) {
+  switch (orientation) {
     case TapeOrientation::wrong_end: return "wrong end";
     case TapeOrientation::wrong_side: return "wrong side";
     case TapeOrientation::both: return "wrong end, wrong side";

@@ -19,7 +19,7 @@ enum class TapeOrientation : std::uint8_t {
 
 struct TapeFinding {
   TapeCode code = TapeCode::iso;
-  TapeOrientation lie = TapeOrientation::right;
+  TapeOrientation orientation = TapeOrientation::right;
 };
 
 /// Accepts the rows as a tape if 19 of 20 rows have the parity of the code and are codes of program text, with at least eight rows and a
@@ -29,9 +29,9 @@ std::optional<TapeFinding> inspect_tape(std::string_view rows);
 
 /// Returns the rows in the order and with the tracks that the reader would give if the tape were inserted correctly.
 ///   law  turned(turned(t, lie), lie) == t
-std::string turned(std::string_view rows, TapeOrientation lie);
+std::string turned(std::string_view rows, TapeOrientation orientation);
 
 /// Returns the name of an orientation for messages: "wrong_end", …
-std::string_view name_of(TapeOrientation lie);
+std::string_view name_of(TapeOrientation orientation);
 
 }  // namespace kadr

@@ -10,13 +10,13 @@ std::optional<TapeCode> tape_code_named(std::string_view name) {
   return std::nullopt;
 }
 
-TapeReading read_tape(std::string_view rows, std::optional<TapeCode> said) {
+TapeReading read_tape(std::string_view rows, std::optional<TapeCode> given_code) {
   const std::optional<TapeFinding> seen = inspect_tape(rows);
   TapeReading reading;
   reading.looks_like_tape = seen.has_value();
-  reading.code = said.value_or(seen ? seen->code : TapeCode::iso);
-  reading.lie = seen ? seen->lie : TapeOrientation::right;
-  TapeText text = decode_tape(reading.lie != TapeOrientation::right ? turned(rows, reading.lie) : rows, reading.code);
+  reading.code = given_code.value_or(seen ? seen->code : TapeCode::iso);
+  reading.orientation = seen ? seen->orientation : TapeOrientation::right;
+  TapeText text = decode_tape(reading.orientation != TapeOrientation::right ? turned(rows, reading.orientation) : rows, reading.code);
   reading.text = std::move(text.text);
   reading.faults = std::move(text.faults);
   return reading;

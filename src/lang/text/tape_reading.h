@@ -18,12 +18,12 @@ struct TapeReading {
   std::vector<TapeFault> faults;  // at most 1000
   TapeCode code = TapeCode::iso;
   // Orientation in which the tape was read; `text` is already that of the correctly inserted tape.
-  TapeOrientation lie = TapeOrientation::right;
+  TapeOrientation orientation = TapeOrientation::right;
   bool looks_like_tape = false;
 };
 
-/// Converts the rows to text. `said`: the code that the user gives. If it is nullopt, the code is detected from the rows; if the detection
-/// fails, the code is ISO.
-TapeReading read_tape(std::string_view rows, std::optional<TapeCode> said);
+/// Converts the rows to text. `given_code`: the code that the user gives. If it is nullopt, the code is detected from the rows; if the
+/// detection fails, the code is ISO.
+TapeReading read_tape(std::string_view rows, std::optional<TapeCode> given_code);
 
 }  // namespace kadr

@@ -67,8 +67,8 @@ constexpr std::size_t piece_bytes = 256 * 1024;
 /// Reads first the part of the text that is in the file, then the part that is in memory.
 class SpoolSource final : public ByteSource {
  public:
-  SpoolSource(std::shared_ptr<SpoolFile> file, std::uint64_t written, std::string kept)
-      : file_(std::move(file)), written_(written), kept_(std::move(kept)) {}
+  SpoolSource(std::shared_ptr<SpoolFile> file, std::uint64_t written, std::string in_memory)
+      : file_(std::move(file)), written_(written), in_memory_(std::move(in_memory)) {}
 
   std::size_t read(std::uint64_t offset, char* to, std::size_t size) override {
     std::size_t got = 0;
@@ -77,15 +77,15 @@ class SpoolSource final : public ByteSource {
       got = file_->read(offset, to, wanted);
       if (got < wanted || got == size) return got;
     }
-    const std::uint64_t in_kept = offset + got - written_;
-    return in_kept >= kept_.size() ? got : got + kept_.copy(to + got, size - got, std::size_t(in_kept));
+    const std::uint64_t place_in_memory = offset + got - written_;
+    return place_in_memory >= in_memory_.size() ? got : got + in_memory_.copy(to + got, size - got, std::size_t(place_in_memory));
   }
-  std::uint64_t size() const override { return written_ + kept_.size(); }
+  std::uint64_t size() const override { return written_ + in_memory_.size(); }
 
  private:
   std::shared_ptr<SpoolFile> file_;
   std::uint64_t written_;
-  std::string kept_;
+  std::string in_memory_;
 };
 
 class SharedSource final : public ByteSource {
@@ -111,14 +111,14 @@ std::size_t end_of_piece(std::string_view piece) {
 
 void TextSpool::spill() {
   if (!file_) file_ = std::make_shared<SpoolFile>();
-  const std::size_t done = file_->write(kept_, written_);
+  const std::size_t done = file_->write(in_memory_, written_);
   written_ += done;
-  kept_.erase(0, done);
-  most_in_memory_ = kept_.empty() ? std::min(most_in_memory_, spilled_at_once) : std::string::npos;
+  in_memory_.erase(0, done);
+  most_in_memory_ = in_memory_.empty() ? std::min(most_in_memory_, spilled_at_once) : std::string::npos;
 }
 
 std::shared_ptr<ByteSource> TextSpool::source() {
-  return std::make_shared<SpoolSource>(std::exchange(file_, nullptr), std::exchange(written_, 0), std::exchange(kept_, {}));
+  return std::make_shared<SpoolSource>(std::exchange(file_, nullptr), std::exchange(written_, 0), std::exchange(in_memory_, {}));
 }
 
 std::unique_ptr<ByteSource> shared_source(std::shared_ptr<ByteSource> text) { return std::make_unique<SharedSource>(std::move(text)); }

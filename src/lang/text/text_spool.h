@@ -29,11 +29,11 @@ class TextSpool {
 
   /// Appends a piece. If no file can be created, or the disk is full, the rest of the text remains in memory.
   void append(std::string_view piece) {
-    kept_ += piece;
-    if (kept_.size() >= most_in_memory_) spill();
+    in_memory_ += piece;
+    if (in_memory_.size() >= most_in_memory_) spill();
   }
   /// Returns the number of bytes appended so far.
-  std::uint64_t size() const { return written_ + kept_.size(); }
+  std::uint64_t size() const { return written_ + in_memory_.size(); }
   /// Returns the text. After this call nothing may be appended.
   std::shared_ptr<ByteSource> source();
 
@@ -41,7 +41,7 @@ class TextSpool {
   void spill();
 
   std::size_t most_in_memory_;
-  std::string kept_;                 // end of the text, which follows the part in the file
+  std::string in_memory_;            // end of the text, which follows the part in the file
   std::shared_ptr<SpoolFile> file_;  // temporary file with the first part of the text; nullptr: no file has been created yet
   std::uint64_t written_ = 0;        // bytes in the file
 };

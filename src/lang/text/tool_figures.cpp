@@ -54,14 +54,14 @@ class FigureMarker {
   bool is_figure(std::size_t i) const { return has(i) && all_[i].is_figure(); }
   bool is_open(std::size_t i) const { return has(i) && all_[i].is_open(); }
   bool is_sign(std::size_t i, char c) const { return has(i) && all_[i].is_sign(c); }
-  bool says(std::size_t i, WordHints what) const { return has(i) && all_[i].meaning.is(what); }
+  bool means(std::size_t i, WordHints what) const { return has(i) && all_[i].meaning.is(what); }
   bool joined(std::size_t i) const { return has(i) && all_[i].joined; }
   static bool is_letter(const CommentPiece& p) { return p.is_word() && (p.text.size() == 1 || (p.text.size() == 2 && is_high(p.text[0]))); }
   /// Returns true for a dash between blanks.
   bool is_free_dash(std::size_t i) const { return is_sign(i, '-') && !joined(i) && !joined(i + 1); }
 
   /// Returns the index of the next piece after `i`, skipping signs in `between`.
-  std::size_t behind(std::size_t i, std::string_view between) const {
+  std::size_t index_after(std::size_t i, std::string_view between) const {
     for (++i; has(i) && all_[i].is == Is::sign && between.find(all_[i].text[0]) != std::string_view::npos;) ++i;
     return i;
   }
@@ -95,7 +95,7 @@ class FigureMarker {
 void FigureMarker::read_abbreviations() {
   for (std::size_t i = 1; i < count(); ++i) {
     CommentPiece& f = all_[i];
-    if (!is_figure(i) || !f.leads_point || !f.joined || !says(i - 1, number | tool_number)) continue;
+    if (!is_figure(i) || !f.leads_point || !f.joined || !means(i - 1, number | tool_number)) continue;
     f.text.erase(0, 1);
     f.value = 0;
     std::from_chars(f.text.data(), f.text.data() + f.text.size(), f.value);
@@ -106,11 +106,11 @@ void FigureMarker::read_abbreviations() {
 /// Returns true if the word at `at` is the unit of the number at `figure`. IN is a unit only if it cannot be the preposition: not in "4 IN
 /// VISE", but in "1/4 IN DRILL" and ".5IN".
 bool FigureMarker::is_unit(std::size_t figure, std::size_t at) const {
-  if (!says(at, unit_mm | unit_inch)) return false;
+  if (!means(at, unit_mm | unit_inch)) return false;
   if (all_[at].text == "\"") return joined(at) || !joined(at + 1);  // in T5 "F" DRILL the sign is a quotation mark, not inches
   if (all_[at].text != "IN" || joined(at)) return true;
   const CommentPiece& f = all_[figure];
-  const bool goes_on_with_tool = !has(at + 1) || all_[at + 1].is == Is::sign || says(at + 1, tool | part_of_name | describes);
+  const bool goes_on_with_tool = !has(at + 1) || all_[at + 1].is == Is::sign || means(at + 1, tool | part_of_name | describes);
   return f.is_fraction || f.has_point || goes_on_with_tool;
 }
 
@@ -124,7 +124,7 @@ void FigureMarker::take_units() {
     const bool hyphen = is_sign(i + 1, '-') && joined(i + 1) && joined(i + 2);
     const std::size_t at = i + (hyphen ? 2 : 1);
     if (!is_unit(i, at)) continue;
-    all_[i].unit = says(at, unit_mm) ? 1 : mm_per_inch;
+    all_[i].unit = means(at, unit_mm) ? 1 : mm_per_inch;
     if (is_sign(at + 1, '/')) all_[i].figure = FigureIs::other;
     const bool mm_of_fraction = all_[i].is_fraction && all_[i].unit == 1;  // in 1/2MM the mm is not a unit, because no tool has this size
     if (mm_of_fraction) all_[i].figure = FigureIs::other;
@@ -140,17 +140,17 @@ bool FigureMarker::is_part_of_name(std::size_t i) const {
   const bool whole = !f.has_point && !f.is_fraction;
   const bool zeros = whole && f.text.size() > 1 && f.text[0] == '0';
   const bool too_long = whole && f.text.size() > longest_size && f.unit == 0;
-  const bool after_t = i > 0 && says(i - 1, tool_number);
+  const bool after_t = i > 0 && means(i - 1, tool_number);
   if ((zeros || too_long) && !after_t) return true;
   const bool chained = (f.underscored && is_figure(i - 1)) || (has(i + 1) && all_[i + 1].underscored && is_figure(i + 1));
   if (chained || (f.underscored && whole && f.unit == 0)) return true;
   const WordHints called = means_diameter | means_corner | number | tool_number | times | other_before | other_after | degrees | unit_mm;
-  if (f.joined && i > 0 && all_[i - 1].is_word() && !is_letter(all_[i - 1]) && !says(i - 1, called) && !f.is_fraction && !f.leads_point &&
+  if (f.joined && i > 0 && all_[i - 1].is_word() && !is_letter(all_[i - 1]) && !means(i - 1, called) && !f.is_fraction && !f.leads_point &&
       f.unit == 0)
     return true;
   if (!joined(i + 1) || !all_[i + 1].is_word() || f.unit != 0) return false;
   const bool tolerance = all_[i + 1].text == "H" || all_[i + 1].text == "Н";  // in 10H7 the H7 is a tolerance
-  return !tolerance && !says(i + 1, called | describes | of_tool) &&
+  return !tolerance && !means(i + 1, called | describes | of_tool) &&
          !(is_letter(all_[i + 1]) && (all_[i + 1].text == "F" || all_[i + 1].text == "Z"));
 }
 
@@ -162,14 +162,14 @@ void FigureMarker::mark_names() {
 /// Marks tool numbers: T1, T 1, TOOL 4, TOOL #2, TOOL - 6, TOOL -3-. Numbers in X-T3, TOOL 1/2 and TOOL 6MM are not marked.
 void FigureMarker::mark_tool_numbers() {
   for (std::size_t i = 0; i < count(); ++i) {
-    if (!says(i, tool_number) || !all_[i].is_word()) continue;
+    if (!means(i, tool_number) || !all_[i].is_word()) continue;
     const bool is_t = is_letter(all_[i]);
     const bool in_name = joined(i) && i > 0 && !all_[i - 1].is_sign('|') && !all_[i - 1].is_sign('(') && !all_[i - 1].is_sign(',');
-    std::size_t at = behind(i, is_t ? "" : "-#:=.");
-    if (!is_t && says(at, number)) at = behind(at, ".#");
+    std::size_t at = index_after(i, is_t ? "" : "-#:=.");
+    if (!is_t && means(at, number)) at = index_after(at, ".#");
     // DEFAULT TOOL001 is a name, so 001 is not a tool number.
     const bool zeros = !is_t && joined(at) && at == i + 1 && all_[at].text.starts_with("00");
-    const bool is_turned = says(at + 1, degrees);  // in ENGRAVING TOOL 30 DEGREE the 30 is an angle
+    const bool is_turned = means(at + 1, degrees);  // in ENGRAVING TOOL 30 DEGREE the 30 is an angle
     const bool is_number = !zeros && !is_turned && is_open(at) && !all_[at].has_point && !all_[at].is_fraction && all_[at].unit == 0 &&
                            all_[at].text.size() <= longest_number;
     if (!in_name && is_number) all_[at].figure = FigureIs::tool;
@@ -179,23 +179,23 @@ void FigureMarker::mark_tool_numbers() {
 /// Marks numbers by the words next to them, which define their meaning: 4FL, LOC 1.5, S2000, ZMIN=-5.
 void FigureMarker::mark_next_to_words() {
   for (std::size_t i = 0; i < count(); ++i)
-    if (says(i, other_before | other_after | is_numbered)) mark_by_word(i);
+    if (means(i, other_before | other_after | is_numbered)) mark_by_word(i);
   for (std::size_t i = 0; i < count(); ++i) {
     const CommentPiece& word = all_[i];
     if (!word.is_word()) continue;
     const WordHints known =
         means_diameter | means_corner | tool_number | tool | letter | number | is_numbered | times | other_after | degrees;
     const bool is_address = is_letter(word) && !word.meaning.is(known) && word.text != "M" && word.text != "М" && word.text != "F";
-    const std::size_t at = behind(i, is_address ? "=-" : "-");
+    const std::size_t at = index_after(i, is_address ? "=-" : "-");
     // The letter is the address of a word, as in S2000, Z-.5, H7.
     if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;
-    const bool is_f = word.text == "F" && i > 0 && !says(i - 1, tool);  // F gives a feed, but in SVERLO F8.5 a diameter
+    const bool is_f = word.text == "F" && i > 0 && !means(i - 1, tool);  // F gives a feed, but in SVERLO F8.5 a diameter
     if (is_f && is_open(i + 1) && joined(i + 1)) all_[i + 1].figure = FigureIs::other;
     // In 3F and 2Z the number is a number of flutes.
     const bool counts = (word.text == "F" || word.text == "Z") && word.joined && i > 0 && is_open(i - 1);
     if (counts) all_[i - 1].figure = FigureIs::other;
     if (is_sign(i + 1, '=') && !word.meaning.is(known))  // after an unknown word, as in L=75 and ID=7, the number is not a size
-      if (const std::size_t value = behind(i, "=-+"); is_open(value)) all_[value].figure = FigureIs::other;
+      if (const std::size_t value = index_after(i, "=-+"); is_open(value)) all_[value].figure = FigureIs::other;
   }
 }
 
@@ -203,15 +203,15 @@ void FigureMarker::mark_next_to_words() {
 bool FigureMarker::is_called(std::size_t figure) const {
   std::size_t i = figure - 1;
   while (has(i) && all_[i].is == Is::sign && !is_sign(i, '|') && !is_sign(i, ',')) --i;
-  return says(i, means_diameter | means_corner | other_after) && !is_figure(i - 1);
+  return means(i, means_diameter | means_corner | other_after) && !is_figure(i - 1);
 }
 
 void FigureMarker::mark_by_word(std::size_t word) {
   // Index of the number before the word, also across a hyphen: 2-FLUTE.
   const std::size_t before = is_sign(word - 1, '-') && joined(word) && joined(word - 1) ? word - 2 : word - 1;
-  const std::size_t at = behind(word, ".:=-#");
+  const std::size_t at = index_after(word, ".:=-#");
   const bool is_equal = is_sign(word + 1, '=') && is_open(at);
-  if (says(word, other_before) && is_open(before) && !is_called(before) && !is_equal) {
+  if (means(word, other_before) && is_open(before) && !is_called(before) && !is_equal) {
     all_[before].figure = FigureIs::other;
     return;
   }
@@ -219,7 +219,7 @@ void FigureMarker::mark_by_word(std::size_t word) {
   const bool whole = !all_[at].has_point && !all_[at].is_fraction;
   const bool divided = is_sign(word + 1, ':');  // in OPERATION: 1.5MM ENDMILL the colon separates the number from the word
   const bool is_number = all_[at].unit == 0 && (whole || !divided);
-  if (says(word, other_after) || (says(word, is_numbered) && is_number)) all_[at].figure = FigureIs::other;
+  if (means(word, other_after) || (means(word, is_numbered) && is_number)) all_[at].figure = FigureIs::other;
 }
 
 /// Joins a whole number and the fraction after it: 1 1/4, 1-1/4.
@@ -229,7 +229,7 @@ void FigureMarker::join_wholes_and_fractions() {
     if (!is_open(i) || whole.has_point || whole.is_fraction || whole.unit != 0 || whole.value > max_wholes || whole.value < 1) continue;
     const bool hyphen = is_sign(i + 1, '-') && joined(i + 1) && joined(i + 2);
     const std::size_t at = i + (hyphen ? 2 : 1);
-    if (!is_open(at) || !all_[at].is_fraction || says(i - 1, number)) continue;
+    if (!is_open(at) || !all_[at].is_fraction || means(i - 1, number)) continue;
     all_[at].value += whole.value;
     all_[at].joined = whole.joined;
     all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(i), all_.begin() + static_cast<std::ptrdiff_t>(at));
@@ -241,7 +241,7 @@ void FigureMarker::mark_threads() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!is_open(i)) continue;
     const bool is_metric = joined(i) && i > 0 && (all_[i - 1].text == "M" || all_[i - 1].text == "М") && all_[i].unit == 0;
-    const bool is_counted = i > 1 && says(i - 2, times) && i > 2 && is_figure(i - 3);  // in 4 X M6 the 4 is a count
+    const bool is_counted = i > 1 && means(i - 2, times) && i > 2 && is_figure(i - 3);  // in 4 X M6 the 4 is a count
     if (is_metric) all_[i].figure = is_counted ? FigureIs::other : FigureIs::metric;
     else mark_inch_thread(i);
   }
@@ -270,7 +270,7 @@ void FigureMarker::mark_chains_of_numbers() {
     if (both && !thread)
       for (const std::size_t at : {i - 1, i + 1})
         if (is_open(at)) all_[at].figure = FigureIs::other;
-    const bool divides = says(i - 1, means_diameter | means_corner | tool) || all_[i].is_sign(':');
+    const bool divides = means(i - 1, means_diameter | means_corner | tool) || all_[i].is_sign(':');
     if (is_open(i + 1) && all_[i - 1].is_word() && !divides) all_[i + 1].figure = FigureIs::other;
   }
 }
@@ -287,7 +287,7 @@ void FigureMarker::mark_signed() {
 /// is none, the number before DIA: .828 DIA.
 std::size_t FigureMarker::figure_called_by(std::size_t word) const {
   const bool is_single = is_letter(all_[word]);
-  const std::size_t at = behind(word, is_single ? "=:." : "=:.-");
+  const std::size_t at = index_after(word, is_single ? "=:." : "=:.-");
   const bool by_sign = is_open(at) && (is_sign(at - 1, '=') || is_sign(at - 1, ':') || is_sign(at - 1, '-') || joined(at));
   const bool before_is_free = word > 0 && is_open(word - 1) && !is_single;
   // In 1" IN DIAMETER the IN is a preposition, not a unit.
@@ -298,13 +298,13 @@ std::size_t FigureMarker::figure_called_by(std::size_t word) const {
 
 void FigureMarker::mark_diameters() {
   for (std::size_t i = 0; i < count(); ++i) {
-    const bool is_f = all_[i].text == "F" && i > 0 && says(i - 1, tool);  // in SVERLO F8.5 the F is a diameter sign
-    if (!says(i, means_diameter) && !is_f) continue;
-    if (all_[i].text == "SIZE" && !says(i - 1, tool)) continue;
+    const bool is_f = all_[i].text == "F" && i > 0 && means(i - 1, tool);  // in SVERLO F8.5 the F is a diameter sign
+    if (!means(i, means_diameter) && !is_f) continue;
+    if (all_[i].text == "SIZE" && !means(i - 1, tool)) continue;
     if (is_letter(all_[i]) && joined(i) && is_sign(i - 1, '-')) continue;  // A881-D0812 is a part of a name, so D is not a diameter sign
     const std::size_t at = figure_called_by(i);
     if (!has(at)) continue;
-    all_[at].figure = says(i - 1, no_diameter) ? FigureIs::other : FigureIs::diameter;
+    all_[at].figure = means(i - 1, no_diameter) ? FigureIs::other : FigureIs::diameter;
     all_[at].named = is_sign(at - 1, '=');
   }
 }
@@ -312,9 +312,9 @@ void FigureMarker::mark_diameters() {
 /// Marks corner radii: CR=0.5, R.06, .030R, 0.125 RAD, TIP RAD.: 4.
 void FigureMarker::mark_corners() {
   for (std::size_t i = 0; i < count(); ++i) {
-    if (!says(i, means_corner) || !all_[i].is_word()) continue;
+    if (!means(i, means_corner) || !all_[i].is_word()) continue;
     const bool is_single = is_letter(all_[i]);
-    const std::size_t at = behind(i, "=:.");
+    const std::size_t at = index_after(i, "=:.");
     const bool by_sign = is_open(at) && (is_sign(at - 1, '=') || is_sign(at - 1, ':') || joined(at));
     const bool before = i > 0 && is_open(i - 1) && (!is_single || joined(i));
     if (by_sign) all_[at].figure = FigureIs::corner;
@@ -326,16 +326,16 @@ void FigureMarker::mark_corners() {
 /// Marks point angles: 90 DEG, 90-DEG.
 void FigureMarker::mark_angles() {
   for (std::size_t i = 1; i < count(); ++i) {
-    if (!says(i, degrees)) continue;
+    if (!means(i, degrees)) continue;
     const std::size_t at = is_sign(i - 1, '-') ? i - 2 : i - 1;
-    if (is_figure(at) && (is_open(at) || says(at - 1, times) || is_sign(at - 1, '='))) all_[at].figure = FigureIs::angle;
+    if (is_figure(at) && (is_open(at) || means(at - 1, times) || is_sign(at - 1, '='))) all_[at].figure = FigureIs::angle;
   }
 }
 
 /// Marks second sizes. In A X B the second number is a length, an angle or a width; in 4X the number is a count.
 void FigureMarker::mark_second_sizes() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
-    if (!says(i, times) && !is_sign(i, '*')) continue;
+    if (!means(i, times) && !is_sign(i, '*')) continue;
     const bool counts = is_open(i - 1) && joined(i) && !joined(i + 1) && all_[i - 1].unit == 0 && !all_[i - 1].is_fraction;
     if (counts) all_[i - 1].figure = FigureIs::other;
     else if (is_open(i + 1)) all_[i + 1].figure = FigureIs::other;
@@ -345,11 +345,11 @@ void FigureMarker::mark_second_sizes() {
 /// Marks numbers of drills: #7, NO. 7, NUMBER 7. The 26 in "No. 26: …" is not marked.
 void FigureMarker::mark_numbers_of_drills() {
   for (std::size_t i = 0; i < count(); ++i) {
-    if (!says(i, number)) continue;
-    const std::size_t at = behind(i, ".#");
+    if (!means(i, number)) continue;
+    const std::size_t at = index_after(i, ".#");
     if (!is_open(at)) continue;
     const bool is_plain = !all_[at].has_point && !all_[at].is_fraction && all_[at].unit == 0 && !is_sign(at + 1, ':');
-    const bool is_of_part = i > 0 && says(i - 1, of_part | is_numbered);  // in PART NO. 7 the 7 is not the number of a drill
+    const bool is_of_part = i > 0 && means(i - 1, of_part | is_numbered);  // in PART NO. 7 the 7 is not the number of a drill
     all_[at].figure = is_plain && !is_of_part ? FigureIs::drill_number : FigureIs::other;
   }
 }
@@ -361,7 +361,7 @@ void FigureMarker::mark_clauses() {
     const bool divides = all_[i].is == Is::sign && std::string_view("|,;").find(all_[i].text[0]) != std::string_view::npos;
     if (divides || is_free_dash(i)) another_begun = false;
     if (divides || is_free_dash(i) || is_sign(i, ':')) ++clause;
-    another_begun = another_begun || (says(i, another) && !is_sign(i + 1, '='));
+    another_begun = another_begun || (means(i, another) && !is_sign(i + 1, '='));
     all_[i].clause = clause, all_[i].of_another = another_begun;
   }
 }
@@ -371,7 +371,7 @@ void FigureMarker::mark_clauses() {
 std::vector<CommentToken> with_letters_divided(std::vector<CommentToken> tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     std::string& word = tokens[i].text;
-    if (tokens[i].is != Is::word || tokens[i + 1].is != Is::figure || !tokens[i + 1].joined || meaning_of(word).says != no_meaning)
+    if (tokens[i].is != Is::word || tokens[i + 1].is != Is::figure || !tokens[i + 1].joined || meaning_of(word).means != no_meaning)
       continue;
     const std::size_t letter = is_high(word.back()) ? 2 : 1;  // length of the letter in bytes
     if (word.size() <= letter || !meaning_of(word.substr(0, word.size() - letter)).is(tool)) continue;

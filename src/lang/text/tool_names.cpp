@@ -77,9 +77,9 @@ bool ToolNames::is_none(const ToolName& name) const {
     is_tool = is_tool || pieces_[i].meaning.is(tool);
     bores = bores || pieces_[i].text == "BORING" || (i > 0 && pieces_[i - 1].text == "BORE"), bar = bar || pieces_[i].text == "BAR";
   }
-  const std::size_t behind = name.last + 1;
-  const bool goes_on = behind < pieces_.size() && pieces_[behind].is_word() &&
-                       !pieces_[behind].meaning.is(means_diameter | means_corner | describes | of_tool | tool_number | other_after);
+  const std::size_t after = name.last + 1;
+  const bool goes_on = after < pieces_.size() && pieces_[after].is_word() &&
+                       !pieces_[after].meaning.is(means_diameter | means_corner | describes | of_tool | tool_number | other_after);
   const bool is_alone = name.first == name.last;
   const std::string before = name.first > 0 ? pieces_[name.first - 1].text : "";
   const bool of_machine = before == "CNC" || before == "VMC" || before == "HMC";

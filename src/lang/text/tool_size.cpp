@@ -118,7 +118,7 @@ bool ToolSize::is_offset(std::size_t i) const {
   const bool is_d = i > 0 && (pieces_[i - 1].text == "D" || pieces_[i - 1].text == "Д");
   if (!is_d || !is_whole(d) || d.named || d.unit != 0) return false;
   for (std::size_t at = 0; at < i; ++at)
-    if (says(at, offset) && pieces_[at].clause == d.clause) return true;
+    if (means(at, offset) && pieces_[at].clause == d.clause) return true;
   const auto tool = std::find_if(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.figure == FigureIs::tool; });
   bool has_h = false;
   for (std::size_t at = 1; at < pieces_.size(); ++at) {
@@ -136,12 +136,12 @@ bool ToolSize::is_offset(std::size_t i) const {
 /// number: DRILL .25 HOLES.
 bool ToolSize::is_of_part(std::size_t figure) const {
   for (std::size_t i = 0; i < figure; ++i)
-    if (pieces_[i].clause == pieces_[figure].clause && says(i, of_part)) return true;
-  std::size_t behind = figure + 1;
-  while (has(behind) && !pieces_[behind].is_word()) ++behind;
-  if (says(behind, means_diameter)) ++behind;
-  while (has(behind) && !pieces_[behind].is_word()) ++behind;
-  return says(behind, of_part) && pieces_[behind].clause == pieces_[figure].clause;
+    if (pieces_[i].clause == pieces_[figure].clause && means(i, of_part)) return true;
+  std::size_t after = figure + 1;
+  while (has(after) && !pieces_[after].is_word()) ++after;
+  if (means(after, means_diameter)) ++after;
+  while (has(after) && !pieces_[after].is_word()) ++after;
+  return means(after, of_part) && pieces_[after].clause == pieces_[figure].clause;
 }
 
 /// Returns false for comments that are not about a tool, such as (.500 DIAMETER), (STOCK D50).
@@ -155,9 +155,9 @@ bool ToolSize::speaks_of_tool(std::size_t figure) const {
   const bool is_d = pieces_[word].text == "D" || pieces_[word].text == "Д";
   // For (D1 - TOOL IN SPINDLE) only the part before the number is searched.
   const auto end = is_d ? pieces_.begin() + static_cast<std::ptrdiff_t>(figure) : pieces_.end();
-  const bool is_told = std::any_of(pieces_.begin(), end, names_tool) && !names_.any(of_part);
+  const bool is_stated = std::any_of(pieces_.begin(), end, names_tool) && !names_.any(of_part);
   const bool next_to_number = is_d && std::any_of(pieces_.begin(), end, [](const CommentPiece& p) { return p.figure == FigureIs::tool; });
-  return listed || is_told || next_to_number;
+  return listed || is_stated || next_to_number;
 }
 
 // ---- numbers in the name of the tool
@@ -205,16 +205,17 @@ bool ToolSize::fits_before(std::size_t at, const ToolName& name, bool strangers)
   if (name.no_bare_size && !is_measured(f)) return false;
   // In 1/4 TAP DRILL the number is the size of the tap.
   if (name.is_tap_drill && (f.is_fraction || (is_whole(f) && f.unit == 0))) return false;
-  const bool of_two = says(at - 1, joins) || says(at + 1, joins) || (at > 1 && pieces_[at - 1].is_sign('/') && is(at - 2, FigureIs::open));
+  const bool of_two =
+      means(at - 1, joins) || means(at + 1, joins) || (at > 1 && pieces_[at - 1].is_sign('/') && is(at - 2, FigureIs::open));
   if (of_two) return false;  // 3/8 OR 1/2 are the sizes of two tools
-  const CommentPiece* const second = has(at + 2) && says(at + 1, times) && pieces_[at + 2].is_figure() ? &pieces_[at + 2] : nullptr;
+  const CommentPiece* const second = has(at + 2) && means(at + 1, times) && pieces_[at + 2].is_figure() ? &pieces_[at + 2] : nullptr;
   if (name.kind == ToolWord::chamfer && (mm(f) < least_chamfer_mm || (second != nullptr && second->value == 45))) return false;
   if (second != nullptr && is_disc_ && mm(*second) >= mm(f)) return false;  // the larger of the two sizes is the diameter
   if (is_measured(f) || !is_whole(f)) return true;
   const bool angle = is_usual_angle(f.value) && (name.kind == ToolWord::drill || name.kind == ToolWord::chamfer);
   // In 3 - ENDMILL the 3 is a number in a list.
   const bool listed = has(at + 1) && (pieces_[at + 1].is_sign('-') || pieces_[at + 1].is_sign('.'));
-  const bool after_stranger = at > 0 && pieces_[at - 1].is_word() && pieces_[at - 1].meaning.says == no_meaning;
+  const bool after_stranger = at > 0 && pieces_[at - 1].is_word() && pieces_[at - 1].meaning.means == no_meaning;
   return !angle && !listed && !strangers && !after_stranger && name.kind != ToolWord::tap;
 }
 
@@ -245,14 +246,14 @@ void ToolSize::add_named_drills(Sizes& sizes) const {
 /// Returns true if the word DRILL is after the piece `at`, with or without words that describe a drill between them, or before this piece
 /// at the end of a clause.
 bool ToolSize::names_drill(std::size_t at) const {
-  const auto is_drill = [&](std::size_t i) { return has(i) && pieces_[i].meaning.kind == ToolWord::drill && says(i, tool); };
+  const auto is_drill = [&](std::size_t i) { return has(i) && pieces_[i].meaning.kind == ToolWord::drill && means(i, tool); };
   const bool is_letter = pieces_[at].is_word();
-  std::size_t behind = at + 1;
-  while (has(behind) && (pieces_[behind].is_sign('"') || (((is(behind, FigureIs::open) && !is_letter) || says(behind, describes) ||
-                                                           pieces_[behind].meaning.kind == ToolWord::tap))))
-    ++behind;
-  if (is_drill(behind)) return true;
-  const std::size_t before = at > 0 && says(at - 1, number | letter) ? at - 2 : at - 1;
+  std::size_t after = at + 1;
+  while (has(after) && (pieces_[after].is_sign('"') || (((is(after, FigureIs::open) && !is_letter) || means(after, describes) ||
+                                                         pieces_[after].meaning.kind == ToolWord::tap))))
+    ++after;
+  if (is_drill(after)) return true;
+  const std::size_t before = at > 0 && means(at - 1, number | letter) ? at - 2 : at - 1;
   const bool ends = !has(at + 1) || pieces_[at + 1].clause != pieces_[at].clause;
   return ends && is_drill(before);
 }
@@ -263,7 +264,7 @@ std::optional<std::size_t> ToolSize::letter_of_drill(std::size_t at) const {
   const auto is_letter_piece = [&](std::size_t i) {
     return has(i) && pieces_[i].is_word() && pieces_[i].text.size() == 1 && is_capital(pieces_[i].text[0]);
   };
-  if (says(at, letter)) {
+  if (means(at, letter)) {
     std::size_t i = at + 1;
     while (has(i) && (pieces_[i].is_sign('.') || pieces_[i].is_sign('"'))) ++i;
     return is_letter_piece(i) && names_drill(i) ? std::optional(i) : std::nullopt;
@@ -280,11 +281,11 @@ std::optional<std::size_t> ToolSize::letter_of_drill(std::size_t at) const {
 ToolSize::Sizes ToolSize::after_names() const {
   Sizes sizes;
   for (const ToolName& name : names_.all())
-    if (const auto figure = behind(name)) sizes.push_back(mm(pieces_[*figure]));
+    if (const auto figure = figure_after(name)) sizes.push_back(mm(pieces_[*figure]));
   return sizes;
 }
 
-std::optional<std::size_t> ToolSize::behind(const ToolName& name) const {
+std::optional<std::size_t> ToolSize::figure_after(const ToolName& name) const {
   bool divided = false;
   for (std::size_t i = name.last + 1; has(i); ++i) {
     const CommentPiece& p = pieces_[i];
@@ -308,13 +309,13 @@ bool ToolSize::fits_after(std::size_t at, const ToolName& name, bool divided) co
   const bool takes = name.size_after || name.work_too || name.kind == ToolWord::tap;
   // MILL .5 OFF describes an operation, not a tool.
   const bool is_work = name.kind == ToolWord::chamfer || (name.kind == ToolWord::mill && !name.size_after);
-  if (!takes || is_work || name.only_called || is_of_part(at) || !is_likely(f) || says(at + 1, joins)) return false;
+  if (!takes || is_work || name.only_called || is_of_part(at) || !is_likely(f) || means(at + 1, joins)) return false;
   if (name.kind == ToolWord::tap) return is_measured(f);
   if (is_measured(f)) return true;
   if (name.no_bare_size) return false;
   const bool bare_whole = is_whole(f);
   // DRILL 4 CORNERS describes an operation, not a tool.
-  const bool goes_on = has(at + 1) && pieces_[at + 1].is_word() && pieces_[at + 1].meaning.says == no_meaning;
+  const bool goes_on = has(at + 1) && pieces_[at + 1].is_word() && pieces_[at + 1].meaning.means == no_meaning;
   const bool of_number = is(name.first - 1, FigureIs::tool) && !goes_on;  // in T3 DRILL 10 the 10 is not the number of an operation
   return !bare_whole || ((name.size_after || of_number) && !divided);
 }

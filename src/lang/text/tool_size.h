@@ -21,7 +21,7 @@ class ToolSize {
  private:
   using Sizes = std::vector<double>;  // sizes in mm that one rule has found; if they differ, none is used
   bool has(std::size_t i) const { return i < pieces_.size(); }
-  bool says(std::size_t i, WordHints what) const { return has(i) && pieces_[i].meaning.is(what); }
+  bool means(std::size_t i, WordHints what) const { return has(i) && pieces_[i].meaning.is(what); }
   bool is(std::size_t i, FigureIs what) const { return has(i) && pieces_[i].is_figure() && pieces_[i].figure == what; }
   bool names_two_works() const;
   double mm(const CommentPiece& figure) const;
@@ -43,7 +43,7 @@ class ToolSize {
   std::optional<std::size_t> letter_of_drill(std::size_t at) const;
 
   Sizes after_names() const;
-  std::optional<std::size_t> behind(const ToolName& name) const;
+  std::optional<std::size_t> figure_after(const ToolName& name) const;
   bool fits_after(std::size_t figure, const ToolName& name, bool divided) const;
   Sizes without_name() const;
 

@@ -12,7 +12,7 @@ using enum WordHints;
 
 struct Row {
   std::string_view words;  // separated by blanks
-  WordHints says;
+  WordHints means;
   ToolWord kind = ToolWord::none;
 };
 
@@ -115,7 +115,7 @@ std::unordered_map<std::string_view, ToolWordMeaning> meanings() {
   for (const Row& row : rows)
     for (std::size_t from = 0; from < row.words.size();) {
       const std::size_t to = std::min(row.words.find(' ', from), row.words.size());
-      made[row.words.substr(from, to - from)] = {row.says, row.kind};
+      made[row.words.substr(from, to - from)] = {row.means, row.kind};
       from = to + 1;
     }
   return made;

@@ -55,9 +55,9 @@ enum class WordHints : std::uint64_t {
 constexpr WordHints operator|(WordHints a, WordHints b) { return WordHints(std::uint64_t(a) | std::uint64_t(b)); }
 
 struct ToolWordMeaning {
-  WordHints says = WordHints::no_meaning;
+  WordHints means = WordHints::no_meaning;
   ToolWord kind = ToolWord::none;
-  bool is(WordHints any) const { return (std::uint64_t(says) & std::uint64_t(any)) != 0; }
+  bool is(WordHints any) const { return (std::uint64_t(means) & std::uint64_t(any)) != 0; }
 };
 
 /// Returns the meanings of a word, which must be in capitals. An unknown word has no meanings.

@@ -83,9 +83,9 @@ class Utf16Source final : public ByteSource {
     std::size_t got = 0;
     std::string text;
     while (got < size && offset + got < marks_.back().here) {
-      const auto behind =
+      const auto after =
           std::upper_bound(marks_.begin(), marks_.end(), offset + got, [](std::uint64_t at, const Mark& mark) { return at < mark.here; });
-      const Mark& mark = *std::prev(behind);
+      const Mark& mark = *std::prev(after);
       text.clear();
       piece(mark.there, text);
       const std::size_t skipped = offset + got - mark.here;
@@ -123,22 +123,22 @@ std::optional<ByteOrder> look_at_utf16(std::string_view sample) {
   return std::nullopt;
 }
 
-bool read_encoding(std::string_view name, GivenEncoding& said) {
+bool read_encoding(std::string_view name, GivenEncoding& given) {
   std::string plain;  // name in the spelling in which encoding_named() compares names
   for (const char c : name)
     if (c != '-' && c != '_' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  said = {};
-  if (plain == "utf16") said.utf16 = Utf16::any;
-  else if (plain == "utf16le") said.utf16 = Utf16::little;
-  else if (plain == "utf16be") said.utf16 = Utf16::big;
-  else said.encoding = encoding_named(name);
-  return name.empty() || said.utf16 || said.encoding;
+  given = {};
+  if (plain == "utf16") given.utf16 = Utf16::any;
+  else if (plain == "utf16le") given.utf16 = Utf16::little;
+  else if (plain == "utf16be") given.utf16 = Utf16::big;
+  else given.encoding = encoding_named(name);
+  return name.empty() || given.utf16 || given.encoding;
 }
 
-ByteOrder order_of(std::string_view sample, Utf16 said) {
+ByteOrder order_of(std::string_view sample, Utf16 given) {
   if (const auto marked = order_by_mark(sample)) return *marked;
-  if (said == Utf16::any) return look_at_utf16(sample).value_or(ByteOrder::little);
-  return said == Utf16::little ? ByteOrder::little : ByteOrder::big;
+  if (given == Utf16::any) return look_at_utf16(sample).value_or(ByteOrder::little);
+  return given == Utf16::little ? ByteOrder::little : ByteOrder::big;
 }
 
 std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std::string& text) {
@@ -162,27 +162,27 @@ std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std
   return bytes.size();
 }
 
-bool append_if_utf16(std::string_view bytes, const GivenEncoding& said, std::string& text) {
-  if (said.encoding) return false;
+bool append_if_utf16(std::string_view bytes, const GivenEncoding& given, std::string& text) {
+  if (given.encoding) return false;
   ByteOrder order = ByteOrder::little;
-  if (said.utf16) order = order_of(bytes, *said.utf16);
+  if (given.utf16) order = order_of(bytes, *given.utf16);
   else if (const auto seen = look_at_utf16(bytes)) order = *seen;
   else return false;
   append_utf16(bytes, order, true, text);
   return true;
 }
 
-OpenedText as_text(std::unique_ptr<ByteSource> source, const GivenEncoding& said) {
-  if (!source || said.encoding) return {std::move(source), said.encoding};
+OpenedText as_text(std::unique_ptr<ByteSource> source, const GivenEncoding& given) {
+  if (!source || given.encoding) return {std::move(source), given.encoding};
   std::string sample(sample_bytes, '\0');
   sample.resize(source->read(0, sample.data(), sample.size()));
-  const auto order = said.utf16 ? order_of(sample, *said.utf16) : look_at_utf16(sample);
+  const auto order = given.utf16 ? order_of(sample, *given.utf16) : look_at_utf16(sample);
   if (!order) return {std::move(source), std::nullopt};
   return {std::make_unique<Utf16Source>(std::move(source), *order), Encoding::utf8};
 }
 
-OpenedText open_text(const std::string& path, const GivenEncoding& said, const FileAccess* door) {
-  return as_text(open_file(path, door), said);
+OpenedText open_text(const std::string& path, const GivenEncoding& given, const FileAccess* door) {
+  return as_text(open_file(path, door), given);
 }
 
 }  // namespace kadr

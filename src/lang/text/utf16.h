@@ -23,8 +23,8 @@ struct GivenEncoding {
   std::optional<Encoding> encoding;
   std::optional<Utf16> utf16;
 };
-/// Reads the name of an encoding into `said`. After an empty name `said` is empty. Returns false if no encoding has this name.
-bool read_encoding(std::string_view name, GivenEncoding& said);
+/// Reads the name of an encoding into `given`. After an empty name `given` is empty. Returns false if no encoding has this name.
+bool read_encoding(std::string_view name, GivenEncoding& given);
 
 /// Detects UTF-16 by its byte order mark (FF FE, FE FF), or by the characters in the first kilobyte: at least half of them are ASCII (every
 /// second byte is 0), and none is a control character. Binary files and the blank leader of a tape have control characters. Returns nullopt
@@ -33,7 +33,7 @@ std::optional<ByteOrder> look_at_utf16(std::string_view sample);
 
 /// Returns the byte order of a text that is given as UTF-16. The byte order mark decides; without a mark, the given name; if the name is
 /// "utf-16", the text. INFERRED: if nothing shows the order, it is little-endian, as on Windows.
-ByteOrder order_of(std::string_view sample, Utf16 said);
+ByteOrder order_of(std::string_view sample, Utf16 given);
 
 /// Appends the whole characters of `bytes` in UTF-8. Half a surrogate pair becomes U+FFFD, and so does an odd byte at the end of the text
 /// (`last`).
@@ -41,7 +41,7 @@ ByteOrder order_of(std::string_view sample, Utf16 said);
 std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std::string& text);
 
 /// Appends a whole text in UTF-8 if its bytes are UTF-16. Returns false, and appends nothing, if they are not.
-bool append_if_utf16(std::string_view bytes, const GivenEncoding& said, std::string& text);
+bool append_if_utf16(std::string_view bytes, const GivenEncoding& given, std::string& text);
 
 /// The source of a program's text for a BlockReader, and its encoding if the encoding is known.
 struct OpenedText {
@@ -52,7 +52,7 @@ struct OpenedText {
 /// Opens a file. For UTF-16 the source is a UTF-8 view of the file, which can be read from any offset and stores an index entry for each 32
 /// KiB. For other encodings the source is the file itself.
 ///   returns  no source if the file cannot be read; the reason is in errno
-OpenedText open_text(const std::string& path, const GivenEncoding& said = {}, const FileAccess* door = nullptr);
-OpenedText as_text(std::unique_ptr<ByteSource> source, const GivenEncoding& said = {});
+OpenedText open_text(const std::string& path, const GivenEncoding& given = {}, const FileAccess* door = nullptr);
+OpenedText as_text(std::unique_ptr<ByteSource> source, const GivenEncoding& given = {});
 
 }  // namespace kadr

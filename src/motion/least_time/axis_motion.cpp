@@ -166,8 +166,8 @@ void AxisMotion::stop_by(StopToken stop) {
 AxisMotion::Refused AxisMotion::refused() const {
   const WindowTimer::Refused& refused = planner_.refused();
   for (const Record& record : now_.records)
-    if (record.motion == refused.tag) return {refused.way, Spent::of(record.spent)};
-  return {refused.way, {}};
+    if (record.motion == refused.tag) return {refused.length, Spent::of(record.spent)};
+  return {refused.length, {}};
 }
 
 void AxisMotion::rest() {
@@ -216,7 +216,7 @@ void AxisMotion::move(const Step& step, const Motion& motion) {
   const Switches switches{rapid || !motion.own_override, !motion.no_hold};
   if (motion.spindle != now_.spindle.leading() && (thread || taps || motion.unit == FeedUnit::mm_per_rev)) {
     rest();
-    now_.spindle.lead(motion.spindle);
+    now_.spindle.select_leading(motion.spindle);
   }
   if (!thread) cut_threads();
   if (!smooths) end_smoothing();
@@ -232,8 +232,8 @@ void AxisMotion::move(const Step& step, const Motion& motion) {
 /// Couples the spindle's rotation to the travel of an axis for a rigid-tapping motion (nct 18.1.9).
 void AxisMotion::couple(const Step& step, const Motion& motion) {
   rest();
-  const double way = distance(step.from.machine, motion.machine);
-  if (way > 0) now_.spindle.couple(*motion.detail->turn / way);
+  const double travel = distance(step.from.machine, motion.machine);
+  if (travel > 0) now_.spindle.couple(*motion.detail->turn / travel);
 }
 
 void AxisMotion::release() {
@@ -244,10 +244,10 @@ void AxisMotion::release() {
 
 void AxisMotion::smooth(const Step& step, const Motion& motion, std::uint64_t number) {
   const Axes& from = step.from.machine;
-  const double way = distance(from, motion.machine);
-  if (on_motion) on_motion(number, way);
+  const double travel = distance(from, motion.machine);
+  if (on_motion) on_motion(number, travel);
   now_.led.known = false;
-  now_.smoothing.take({from, motion.machine, way / step.time.seconds, now_.exact ? 0 : tolerance_, number, motion.smoothing}, line_);
+  now_.smoothing.take({from, motion.machine, travel / step.time.seconds, now_.exact ? 0 : tolerance_, number, motion.smoothing}, line_);
   now_.exact = false;
 }
 
@@ -255,13 +255,13 @@ void AxisMotion::end_smoothing() { now_.smoothing.finish(line_); }
 
 /// Adds a thread to the chain. Consecutive threads continue without a stop; only the first thread waits for the spindle (nct 4.4).
 void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent) {
-  const bool anew = motion.detail->start_angle.has_value();
-  if (anew || now_.threads.full()) cut_threads();
+  const bool starts_thread = motion.detail->start_angle.has_value();
+  if (starts_thread || now_.threads.full()) cut_threads();
   if (now_.threads.empty()) {
     planner_.stop();
     now_.threads.begin(step.from.machine);
     now_.thread_spent = spent;
-    if (anew) now_.thread_angle = *motion.detail->start_angle;
+    if (starts_thread) now_.thread_angle = *motion.detail->start_angle;
   }
   const Axes end = MachinePath(step).end();
   const std::uint64_t number = record(spent, {false, false}, motion);
@@ -296,26 +296,26 @@ void AxisMotion::cut_threads() {
 }
 
 AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) const {
-  std::vector<double> ways, minutes;
+  std::vector<double> lengths, minutes;
   double length = 0, sum = 0;
   Axes last = path.start();
   // Pace::is_even() refers to the path of the tool tip. Under tool centre point control the axes move unevenly although the tip moves
   // evenly, so path.bends() is checked too.
   const bool even = pace.is_even() && !path.bends();
-  for (int i = 1; i <= pieces && !stop_.asked(); ++i) {
+  for (int i = 1; i <= pieces && !stop_.requested(); ++i) {
     const Axes to = path.at(static_cast<double>(i) / pieces);
-    const double way = distance(last, to);
-    length += way;
+    const double travel = distance(last, to);
+    length += travel;
     last = to;
     if (even || !(programmed.seconds > 0)) continue;
-    ways.push_back(way);
+    lengths.push_back(travel);
     minutes.push_back(pace.is_even() ? 1.0 : pace.minutes(static_cast<double>(i - 1) / pieces, static_cast<double>(i) / pieces));
     sum += minutes.back();
   }
   if (!(programmed.seconds > 0)) return {length, {unlimited_feed}};
   if (even || !(sum > 0)) return {length, {length / programmed.seconds}};
-  for (std::size_t i = 0; i < ways.size(); ++i) ways[i] *= sum / (minutes[i] * programmed.seconds);
-  return {length, ways};
+  for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] *= sum / (minutes[i] * programmed.seconds);
+  return {length, lengths};
 }
 
 /// Returns how far, mm, the axes may deviate from the corner at the start of a piece under tool centre point control. If the previous

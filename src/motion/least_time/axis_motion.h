@@ -58,8 +58,8 @@ class AxisMotion {
   void start(const Setup& setup, const std::vector<std::string>& axes);
 
   /// A callback for each motion before the motion is planned. `number` is the motion's number; the cells of the motion have this number as
-  /// CellSource::motion. `way` is the approximate total length of these cells in mm.
-  std::function<void(std::uint64_t number, double way)> on_motion;
+  /// CellSource::motion. `length` is the approximate total length of these cells in mm.
+  std::function<void(std::uint64_t number, double length)> on_motion;
 
   /// A callback for each motion before the motion is planned. `number` is the motion's number; `from` has its start position and coordinate
   /// frame.
@@ -88,7 +88,7 @@ class AxisMotion {
   /// The segment that the planner did not emit because of a planner error. `at` is the activity and the program line of the cell that would
   /// have taken the longest time.
   struct Refused {
-    double way = 0;  // length of the segment that was not emitted, mm
+    double length = 0;  // length of the segment that was not emitted, mm
     Spent at;
   };
   Refused refused() const;

@@ -25,14 +25,14 @@ constexpr double fastest = 1e12;
 
 /// Computes the polynomial of the fifth degree that has the given values and first two derivatives at 0 and at `h`.
 void quintic(const std::array<double, 3>& from, const std::array<double, 3>& to, double h, double* c) {
-  const double way = to[0] - from[0] - h * (from[1] + h * from[2] / 2);
+  const double delta = to[0] - from[0] - h * (from[1] + h * from[2] / 2);
   const double slope = to[1] - from[1] - h * from[2], bend = to[2] - from[2];
   c[0] = from[0];
   c[1] = from[1];
   c[2] = from[2] / 2;
-  c[3] = (10 * way - h * (4 * slope - h * bend / 2)) / (h * h * h);
-  c[4] = (-15 * way + h * (7 * slope - h * bend)) / (h * h * h * h);
-  c[5] = (6 * way - h * (3 * slope - h * bend / 2)) / (h * h * h * h * h);
+  c[3] = (10 * delta - h * (4 * slope - h * bend / 2)) / (h * h * h);
+  c[4] = (-15 * delta + h * (7 * slope - h * bend)) / (h * h * h * h);
+  c[5] = (6 * delta - h * (3 * slope - h * bend / 2)) / (h * h * h * h * h);
 }
 
 }  // namespace
@@ -65,11 +65,11 @@ void CellCutter::begin() {
 bool CellCutter::feed_changes(std::size_t vertex) const {
   // Relative changes of feed that are ignored. The feed is computed as length / time, with numerical errors. In polar or cylindrical
   // interpolation the feed varies along the whole path, so a greater change is ignored in these motions.
-  constexpr double of_way = 1e-3, on_surface = 0.05;
+  constexpr double on_line = 1e-3, on_surface = 0.05;
   if (path_->is_paced(vertex)) return false;
-  const double same = path_->on_curve(vertex) ? on_surface : of_way;
-  const double before = path_->feed(vertex - 1), behind = path_->feed(vertex);
-  return std::fabs(before - behind) > same * (before + behind);
+  const double same = path_->on_curve(vertex) ? on_surface : on_line;
+  const double before = path_->feed(vertex - 1), after = path_->feed(vertex);
+  return std::fabs(before - after) > same * (before + after);
 }
 
 /// Returns the length, mm, that bounds the size of the cells at a change of feed. If the feed of the slower piece is at most half of the
@@ -97,8 +97,8 @@ double CellCutter::ramp_s(double speed) const {
 double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   const double feed = path_->feed(piece), nearest = std::min(s - path_->at(piece), path_->at(piece + 1) - s);
   double size = longest_s * feed + cell_growth * std::max(0.0, nearest - feed * ramp_s(feed));
-  // The cell size next to a stop, mm: a hundredth of `way`, but at most 0.01 mm. `way` is the length in which the speed can rise.
-  const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };
+  // The cell size next to a stop, mm: a hundredth of `length`, but at most 0.01 mm. `length` is the length in which the speed can rise.
+  const auto ramp_part = [](double length) { return 0.01 * std::min(1.0, length); };
   const auto rest = [&](std::size_t vertex) { return ramp_part(path_->room(vertex)); };
   size = std::min(size, rest(0) + cell_growth * s);
   if (last) size = std::min(size, rest(path_->pieces()) + cell_growth * (path_->ends() - s));
@@ -264,7 +264,7 @@ double CellCutter::most_in(const double* c, double h, double feed) const {
       if (x1 != 0) most = std::min(most, square(limits_.speed[a] / x1));
       squares[p] += square(x1);
     }
-  for (const double way : squares) most = std::min(most, square(feed) / way);
+  for (const double rate_squared : squares) most = std::min(most, square(feed) / rate_squared);
   return most;
 }
 
@@ -274,8 +274,8 @@ double CellCutter::standing_s(double from, double to, std::size_t piece) {
   double seconds = 0;
   for (std::size_t i = piece; i < path_->pieces() && path_->at(i) < to; ++i) {
     if (standing_.piece != i) {
-      const double way = path_->at(i + 1) - path_->at(i);
-      standing_ = {i, rest_to_rest_s(way, limits_along(limits_, path_->direction(i), path_->feed(i))) / way};
+      const double length = path_->at(i + 1) - path_->at(i);
+      standing_ = {i, rest_to_rest_s(length, limits_along(limits_, path_->direction(i), path_->feed(i))) / length};
     }
     seconds += standing_.per_mm * std::max(0.0, std::min(to, path_->at(i + 1)) - std::max(from, path_->at(i)));
   }
@@ -337,7 +337,7 @@ void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out)
   if (!has_knot_) set_knot(cut_, piece_ = path.piece_at(cut_, 0));
   has_knot_ = true;
   const double settled = path.settled();
-  for (std::size_t turn = piece_ + 1; cut_ < settled && !stop.asked();) {
+  for (std::size_t turn = piece_ + 1; cut_ < settled && !stop.requested();) {
     while (turn < path.pieces() && (path.at(turn) <= cut_ || !path.turns_back(turn))) ++turn;
     const bool known = turn < path.pieces();
     const double end = known ? path.at(turn) : path.ends(), size = next_size(last);

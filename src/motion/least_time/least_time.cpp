@@ -109,14 +109,14 @@ bool LeastTime::can_continue_to_stop() {
   const std::size_t known = ends_.guess.size();
   // The distance of each cell's middle from the nearest stop or reversal, mm.
   std::vector<double> away(n_, std::numeric_limits<double>::infinity());
-  double way = std::numeric_limits<double>::infinity();
+  double since_stop = std::numeric_limits<double>::infinity();
   const auto pass = [&](std::size_t k, bool stops) {
-    if (stops) way = 0;
-    away[k] = std::min(away[k], way + path_->h[k] / 2);
-    way += path_->h[k];
+    if (stops) since_stop = 0;
+    away[k] = std::min(away[k], since_stop + path_->h[k] / 2);
+    since_stop += path_->h[k];
   };
   for (std::size_t k = 0; k < n_; ++k) pass(k, k > 0 && turns_after(k - 1));
-  way = std::numeric_limits<double>::infinity();
+  since_stop = std::numeric_limits<double>::infinity();
   for (std::size_t k = n_; k-- > 0;) pass(k, k + 1 == n_ || turns_after(k));
   double part = soonest_rise(*path_);
   for (int tries = 0; tries < max_tries; ++tries, part *= 0.7) {
@@ -165,7 +165,7 @@ bool LeastTime::solve(const TimedPath& path, const PathEnds& ends, StopToken sto
   const double conditions = static_cast<double>(n_) * (1 + 2 * static_cast<double>(places * path.axes));
   height_ = height(y_);
   double mu = height_.time / conditions;
-  while (steps_++ < max_steps && !stop.asked()) {
+  while (steps_++ < max_steps && !stop.requested()) {
     derivatives(mu);
     bool positive = newton_step();
     for (int round = 0; positive && round < max_rounds && stiffen(mu, round == 0); ++round) positive = newton_step();

@@ -130,8 +130,8 @@ class LeastTime::Logs {
 LeastTime::Ordinates LeastTime::ordinates(std::size_t cell) const {
   const auto knot = [&](std::size_t left) {
     if (turns_after(left)) return 0.0;
-    const double before = path_->h[left], behind = path_->h[left + 1];
-    return (behind * m_[left] + before * m_[left + 1]) / (before + behind);
+    const double before = path_->h[left], after = path_->h[left + 1];
+    return (after * m_[left] + before * m_[left + 1]) / (before + after);
   };
   const double start = cell > 0 ? knot(cell - 1) : first_given_ ? ends_.from.b : 0;
   return {start, m_[cell], cell + 1 < n_ ? knot(cell) : turns_after(cell) ? 0 : m_[cell]};
@@ -252,16 +252,16 @@ KADR_LANES bool LeastTime::stiffen_cell(std::size_t cell, double mu) {
     const Lanes a = moving.by_acceleration * x.acceleration(speed), da = moving.by_acceleration * x.acceleration(step);
     const Lanes along = x.jerk(speed), j = moving.by_jerk * root * along;
     const Lanes dj = moving.by_jerk * (root * x.jerk(step) + half * along * step.b);
-    const Lanes way_a = where_positive(da, da, -da), way_j = where_positive(dj, dj, -dj);
+    const Lanes size_a = where_positive(da, da, -da), size_j = where_positive(dj, dj, -dj);
     const Lanes slack_a = where_positive(da, 1 - a, 1 + a), slack_j = where_positive(dj, 1 - j, 1 + j);
-    const Lanes over_a = way_a - most_of_slack * slack_a, over_j = way_j - most_of_slack * slack_j;
+    const Lanes over_a = size_a - most_of_slack * slack_a, over_j = size_j - most_of_slack * slack_j;
     if (greatest_of(over_a) > 0) {
-      const Lanes bend = where_positive(over_a, (3 * way_a / slack_a - 1) / (slack_a * slack_a), Lanes{});
+      const Lanes bend = where_positive(over_a, (3 * size_a / slack_a - 1) / (slack_a * slack_a), Lanes{});
       sums.add(bend * (moving.by_acceleration * moving.by_acceleration), x.x2, x.x1);
       any = true;
     }
     if (greatest_of(over_j) > 0) {
-      const Lanes bend = where_positive(over_j, (3 * way_j / slack_j - 1) / (slack_j * slack_j), Lanes{});
+      const Lanes bend = where_positive(over_j, (3 * size_j / slack_j - 1) / (slack_j * slack_j), Lanes{});
       sums.add(bend * (moving.by_jerk * moving.by_jerk), root * x.x3 + half * along, root * (1.5 * x.x2), root * x.x1);
       any = true;
     }

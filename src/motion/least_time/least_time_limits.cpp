@@ -67,9 +67,9 @@ void LeastTime::find_mixes() {
       else mix.by[variable_[cell] - first] += part * scale_[cell];
     };
     const auto knot = [&](Mix& mix, std::size_t left) {
-      const double before = path_->h[left], behind = path_->h[left + 1];
-      add(mix, left, behind / (before + behind));
-      add(mix, left + 1, before / (before + behind));
+      const double before = path_->h[left], after = path_->h[left + 1];
+      add(mix, left, after / (before + after));
+      add(mix, left + 1, before / (before + after));
     };
     if (k > 0 && !turns_after(k - 1)) knot(mixes_[k][0], k - 1);
     if (k == 0 && first_given_) mixes_[k][0].given = ends_.from.b;

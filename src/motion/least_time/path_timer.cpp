@@ -19,7 +19,7 @@ bool PathTimer::solve(const TimedPath& path, const PathEnds& ends, StopToken sto
   if (found) return take(quick_.speeds(), quick_.middles());
   ++work_.by_sure_one;
   for (LeastTime* const sure : {&sure_, &sure_to_limits_})
-    if (!stop.asked() && sure->solve(path, ends, stop)) return take(sure->speeds(), sure->middles());
+    if (!stop.requested() && sure->solve(path, ends, stop)) return take(sure->speeds(), sure->middles());
   return false;
 }
 

@@ -29,7 +29,7 @@ Planner::Planner(const MotionLimits& limits, Sink sink)
 void Planner::begin(const double* at) {
   settle();
   now_.at.assign(at, at + axes_);
-  now_.way.clear();
+  now_.direction.clear();
   now_.smooth.begin(at);
   cutter_.begin();
   timer_.begin();
@@ -40,11 +40,11 @@ void Planner::begin(const double* at) {
 /// Returns true if the piece to the position `to` has a different direction from the last piece.
 bool Planner::turns(const double* to) const {
   constexpr double straight = 1e-9;  // the change of direction |Δu| below which two directions count as equal
-  if (now_.way.empty()) return false;
+  if (now_.direction.empty()) return false;
   double squares = 0, bend = 0;
   for (std::size_t a = 0; a < axes_; ++a) squares += square(to[a] - now_.at[a]);
   const double length = std::sqrt(squares);
-  for (std::size_t a = 0; a < axes_; ++a) bend += square((to[a] - now_.at[a]) / length - now_.way[a]);
+  for (std::size_t a = 0; a < axes_; ++a) bend += square((to[a] - now_.at[a]) / length - now_.direction[a]);
   return bend > square(straight);
 }
 
@@ -56,8 +56,8 @@ void Planner::line_to(const double* to, double feed, double tolerance, bool on_c
   if (now_.smooth.pieces() == before) return;
   double squares = 0;
   for (std::size_t a = 0; a < axes_; ++a) squares += square(to[a] - now_.at[a]);
-  now_.way.resize(axes_);
-  for (std::size_t a = 0; a < axes_; ++a) now_.way[a] = (to[a] - now_.at[a]) / std::sqrt(squares);
+  now_.direction.resize(axes_);
+  for (std::size_t a = 0; a < axes_; ++a) now_.direction[a] = (to[a] - now_.at[a]) / std::sqrt(squares);
   now_.at.assign(to, to + axes_);
   ++now_.fresh;
   now_.fresh_s += std::sqrt(squares) / feed;
@@ -73,7 +73,7 @@ void Planner::stop() {
 }
 
 bool Planner::halted() {
-  if (now_.ended == PlanEnd::none && stop_.asked()) now_.ended = PlanEnd::stopped;
+  if (now_.ended == PlanEnd::none && stop_.requested()) now_.ended = PlanEnd::stopped;
   return now_.ended != PlanEnd::none;
 }
 
@@ -93,23 +93,23 @@ void Planner::plan(bool last) {
     return fetch();
   }
   given_ = now_.smooth;
-  beside_.begin([this] { time_cells(given_, false); });
+  background_.begin([this] { time_cells(given_, false); });
 }
 
 void Planner::time_cells(SmoothPath& path, bool last) {
   cut_.clear();
   cutter_.cut(path, last, stop_, cut_);
-  if (!stop_.asked()) timer_.take(cut_, last, stop_);
+  if (!stop_.requested()) timer_.take(cut_, last, stop_);
 }
 
 void Planner::settle() {
-  if (!beside_.is_begun()) return;
-  beside_.wait();
+  if (!background_.is_begun()) return;
+  background_.wait();
   fetch();
 }
 
 void Planner::resume_from(const Memory& memory) {
-  beside_.wait();
+  background_.wait();
   timer_.done().clear();
   now_ = memory.path, cutter_ = memory.cutter, timer_.resume_from(memory.window);
 }
@@ -128,16 +128,16 @@ void Planner::fetch() {
 
 void Planner::straight_line() {
   SmoothPath& path = now_.smooth;
-  std::array<double, max_axes> x{}, way{}, x2{};
-  path.evaluate(0, 0, x.data(), way.data(), x2.data());
-  const LineLimits limits = limits_along(limits_, way.data(), path.feed(0));
+  std::array<double, max_axes> x{}, direction{}, x2{};
+  path.evaluate(0, 0, x.data(), direction.data(), x2.data());
+  const LineLimits limits = limits_along(limits_, direction.data(), path.feed(0));
   TimedCells made;
   made.axes = axes_;
   rest_to_rest(path.ends(), limits, made.laws);
   double s = 0;
   std::size_t piece = 0;
   for (const TimeLaw& law : made.laws) {
-    for (std::size_t a = 0; a < axes_; ++a) made.path.insert(made.path.end(), {x[a] + s * way[a], way[a], 0, 0, 0, 0});
+    for (std::size_t a = 0; a < axes_; ++a) made.path.insert(made.path.end(), {x[a] + s * direction[a], direction[a], 0, 0, 0, 0});
     piece = path.piece_at(s, piece);
     made.sources.push_back({path.tag(piece), path.feed(piece), Bend::none});
     s += law.length;

@@ -78,10 +78,10 @@ class Planner {
   struct Path {
     explicit Path(std::size_t axes) : smooth(axes), at(axes) {}
     SmoothPath smooth;
-    std::vector<double> at;   // axis positions at the end of the last piece, mm or degrees
-    std::vector<double> way;  // direction of the last piece, a unit vector; empty before the first piece
-    std::size_t fresh = 0;    // number of pieces received since the last plan
-    double fresh_s = 0;       // time, at the commanded feeds, of the pieces received since the last plan, s
+    std::vector<double> at;         // axis positions at the end of the last piece, mm or degrees
+    std::vector<double> direction;  // direction of the last piece, a unit vector; empty before the first piece
+    std::size_t fresh = 0;          // number of pieces received since the last plan
+    double fresh_s = 0;             // time, at the commanded feeds, of the pieces received since the last plan, s
     PlanEnd ended = PlanEnd::none;
   };
 
@@ -115,7 +115,7 @@ class Planner {
   StopToken stop_;
   double plan_each_ = 0;  // time of motion between two plans, s; 0: only the number of pieces starts a plan
   bool in_background_ = false;
-  BackgroundWorker beside_;  // The separate thread. It uses cutter_, timer_, cut_ and given_.
+  BackgroundWorker background_;  // The separate thread. It uses cutter_, timer_, cut_ and given_.
 };
 
 }  // namespace kadr

@@ -14,8 +14,8 @@ namespace {
 constexpr double first_mu = 0.5, last_mu = 3e-3;
 constexpr double smaller = 0.2;  // factor by which μ is reduced from step to step
 constexpr int steps_of_all = 6;
-constexpr std::size_t beside = 4;  // number of blocks on each side of an unconverged block that are solved together with this block
-constexpr double slower = 0.7;     // initial guess of a middle ordinate, as a fraction of the envelope (find_envelope)
+constexpr std::size_t neighbours = 4;  // number of blocks on each side of an unconverged block that are solved together with this block
+constexpr double slower = 0.7;         // initial guess of a middle ordinate, as a fraction of the envelope (find_envelope)
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void PrimalDual::mix() {
     if (k == 0 && !ends_->from_stop) of_cell(k, given) = ends_->from.b;
     if (is_last && !turn_after) of_cell(k, own_after) = 1;  // At the end of the path the axes crawl at constant speed.
     if (!is_last && !turn_after) {
-      of_cell(k, behind) = h / (h + path.h[k + 1]);
+      of_cell(k, next_after) = h / (h + path.h[k + 1]);
       of_cell(k, own_after) = path.h[k + 1] / (h + path.h[k + 1]);
     }
     if (turn_before) tied_[k + pad] = h / path.h[k - 1], turns_ = true;
@@ -181,7 +181,7 @@ bool PrimalDual::settle_range(Range& range, double mu) {
     Progress progress;
     for (int k = 0; k < max_steps + attempt * more; ++k) {
       if (k > 0) now = std::max(mu, now * smaller);
-      if (stop_.asked() || !step(range, now, progress)) return false;
+      if (stop_.requested() || !step(range, now, progress)) return false;
       if (now <= mu * 1.01 && (progress.is_quiet() || (progress.stands() && progress.gap <= max_gap))) return true;
     }
   }
@@ -195,12 +195,12 @@ bool PrimalDual::settle(double mu) {
   for (std::size_t block = 1; block < blocks_end_; ++block) {
     if (restless_[block] == 0) continue;
     std::size_t last = block;
-    for (std::size_t k = block; k < blocks_end_ && k <= last + 2 * beside; ++k)
+    for (std::size_t k = block; k < blocks_end_ && k <= last + 2 * neighbours; ++k)
       if (restless_[k] != 0) last = k;
-    Range range = widened({block, last + 1, false, false}, beside);
+    Range range = widened({block, last + 1, false, false}, neighbours);
     const bool done = settle_range(range, mu);
     all = all && done;
-    if (stop_.asked()) return false;
+    if (stop_.requested()) return false;
     block = std::max(last, range.end - 1);
   }
   return all;
@@ -226,11 +226,11 @@ bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken st
   Progress progress;
   for (int k = 0; k < steps_of_all || mu > 1.01 * last_mu * seconds() / limits; ++k) {
     if (k > 0) mu = std::max(last_mu * seconds() / limits, mu * smaller);
-    if (stop.asked() || !step(all, mu, progress)) return false;
+    if (stop.requested() || !step(all, mu, progress)) return false;
   }
   bool settled = settle(mu);
   double share = greatest_share(all, 1);
-  for (int look = 1; look < max_polls && settled && share > allowed && !stop.asked(); ++look) {
+  for (int look = 1; look < max_polls && settled && share > allowed && !stop.requested(); ++look) {
     settled = settle(mu);
     share = greatest_share(all, look + 1 < max_polls ? std::min(1 << look, max_tighter) : 0);
   }
@@ -245,7 +245,7 @@ void PrimalDual::deliver_result() {
   for (std::size_t k = 0; k < n_; ++k) {
     const double m = middles_[k], h = path_->h[k];
     const double start = of_cell(k, given) + (k > 0 ? of_cell(k, before) * middles_[k - 1] : 0) + of_cell(k, own_before) * m;
-    const double end = of_cell(k, own_after) * m + (k + 1 < n_ ? of_cell(k, behind) * middles_[k + 1] : 0);
+    const double end = of_cell(k, own_after) * m + (k + 1 < n_ ? of_cell(k, next_after) * middles_[k + 1] : 0);
     speeds_[k] = {{start, 2 * (m - start) / h}, {end, 2 * (end - m) / h}};
     if (ends_->stand_in(k, n_)) (k == 0 ? speeds_[k].start : speeds_[k].end) = {};
   }

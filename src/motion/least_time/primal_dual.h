@@ -73,7 +73,7 @@ class PrimalDual {
     before,      // factor of the previous cell's middle ordinate in the ordinate at the start of this cell
     own_before,  // factor of this cell's middle ordinate in the ordinate at the start of this cell
     given,       // constant part of the ordinate at the start of this cell
-    behind,      // factor of the next cell's middle ordinate in the ordinate at the end of this cell
+    next_after,  // factor of the next cell's middle ordinate in the ordinate at the end of this cell
     own_after,   // factor of this cell's middle ordinate in the ordinate at the end of this cell
     inverse_cap,
     cap_slack,

@@ -31,7 +31,7 @@ struct PrimalDual::BlockSpeed {
   KADR_LANES BlockSpeed(const double* rows, const double* m, bool is_step) : o1(m), by_length(rows + inverse * lanes) {
     o0 = Lanes(rows + before * lanes) * Lanes(m - 1) + Lanes(rows + own_before * lanes) * o1;
     if (!is_step) o0 += Lanes(rows + given * lanes);
-    o2 = Lanes(rows + own_after * lanes) * o1 + Lanes(rows + behind * lanes) * Lanes(m + 1);
+    o2 = Lanes(rows + own_after * lanes) * o1 + Lanes(rows + next_after * lanes) * Lanes(m + 1);
   }
   KADR_LANES Lanes half_bend() const { return (o0 - 2 * o1 + o2) * by_length * by_length; }
   KADR_LANES Lanes at(double t) const { return ((1 - t) * (1 - t)) * o0 + (2 * t * (1 - t)) * o1 + (t * t) * o2; }
@@ -206,7 +206,7 @@ KADR_LANES void PrimalDual::build(const Range& range, double mu) {
     sums.h11 += (2 * second_derivative_of_time) * fall * by_m + dual * by_slack * by_cap * by_cap;
     sums.g1 += (mu - dual * (1 - m * by_cap - slack)) * by_slack * by_cap - fall;
     const Lanes p(of_block + before * lanes), q(of_block + own_before * lanes), u(of_block + own_after * lanes),
-        v(of_block + behind * lanes);
+        v(of_block + next_after * lanes);
     (p * p * sums.h00).to(&products_[0][i]);
     (p * (q * sums.h00 + sums.h01 + u * sums.h02)).to(&products_[1][i]);
     (p * v * sums.h02).to(&products_[2][i]);

@@ -40,14 +40,14 @@ double rest_to_rest_s(double length, const LineLimits& limits) {
   return 2 * ramp.seconds() + even_s(length, ramp);
 }
 
-LineLimits limits_along(const MotionLimits& limits, const double* way, double feed) {
+LineLimits limits_along(const MotionLimits& limits, const double* direction, double feed) {
   constexpr double none = std::numeric_limits<double>::infinity();
   LineLimits line{feed, none, none};
   for (std::size_t a = 0; a < limits.speed.size(); ++a) {
-    if (way[a] == 0) continue;
-    line.speed = std::min(line.speed, limits.speed[a] / std::fabs(way[a]));
-    line.acceleration = std::min(line.acceleration, limits.acceleration[a] / std::fabs(way[a]));
-    line.jerk = std::min(line.jerk, limits.jerk[a] / std::fabs(way[a]));
+    if (direction[a] == 0) continue;
+    line.speed = std::min(line.speed, limits.speed[a] / std::fabs(direction[a]));
+    line.acceleration = std::min(line.acceleration, limits.acceleration[a] / std::fabs(direction[a]));
+    line.jerk = std::min(line.jerk, limits.jerk[a] / std::fabs(direction[a]));
   }
   return line;
 }

@@ -14,9 +14,9 @@ struct LineLimits {
   double speed = 0, acceleration = 0, jerk = 0;
 };
 
-/// Returns the limits along a straight line that follow from the axis limits. `way` is the unit vector of the line; `feed` is a further
-/// speed limit in mm/s.
-LineLimits limits_along(const MotionLimits& limits, const double* way, double feed);
+/// Returns the limits along a straight line that follow from the axis limits. `direction` is the unit vector of the line; `feed` is a
+/// further speed limit in mm/s.
+LineLimits limits_along(const MotionLimits& limits, const double* direction, double feed);
 
 /// Appends to `to` the phases of the motion along the line. The closed form is the same as in NCT 7.0, with the build-up time T =
 /// acceleration / jerk.

@@ -17,9 +17,9 @@ namespace {
 // The chord error of a curve, mm: the same value as for an arc that is followed exactly (AxisMotion).
 constexpr double chord_of_curve = 0.04 * tol::exact_path;
 
-double angle_between(const Axes& before, const Axes& behind) {
+double angle_between(const Axes& before, const Axes& after) {
   double squares = 0;
-  for (std::size_t a = 0; a < max_axes; ++a) squares += (behind[a] - before[a]) * (behind[a] - before[a]);
+  for (std::size_t a = 0; a < max_axes; ++a) squares += (after[a] - before[a]) * (after[a] - before[a]);
   return 2 * std::asin(std::min(std::sqrt(squares) / 2, 1.0)) / rad_per_deg;
 }
 
@@ -43,29 +43,29 @@ SmoothingRules smoothing_rules(const Setup& setup, const std::vector<std::string
   return rules;
 }
 
-bool Smoothing::is_sharp(const Held& before, const Held& behind) const {
+bool Smoothing::is_sharp(const Held& before, const Held& after) const {
   // Angle in degrees. Two pieces whose directions differ by more than this angle have no mean direction, so they are not smoothed.
   constexpr double turns_back = 179.9;
-  const double angle = angle_between(before.way, behind.way);
-  const bool fine = before.piece.mode == 3 && behind.piece.mode == 3;
-  const bool short_one = fine && std::min(before.length, behind.length) < rules_.always_below;
+  const double angle = angle_between(before.direction, after.direction);
+  const bool fine = before.piece.mode == 3 && after.piece.mode == 3;
+  const bool short_one = fine && std::min(before.length, after.length) < rules_.always_below;
   return angle > turns_back || (angle > rules_.angle && !short_one);
 }
 
 void Smoothing::take(const Piece& piece, const Line& line) {
   Held next{piece, {}, 0, false, false, false, {}};
-  for (std::size_t a = 0; a < max_axes; ++a) next.way[a] = piece.to[a] - piece.from[a];
-  for (const double part : next.way) next.length += part * part;
+  for (std::size_t a = 0; a < max_axes; ++a) next.direction[a] = piece.to[a] - piece.from[a];
+  for (const double part : next.direction) next.length += part * part;
   next.length = std::sqrt(next.length);
   if (!(next.length > 0)) return;
-  for (double& part : next.way) part /= next.length;
+  for (double& part : next.direction) part /= next.length;
   const double most = piece.mode == 3 ? rules_.fine : rules_.most;
   next.fits = most > 0 && next.length <= rules_.longest && next.length >= rules_.shortest;
   if (held_) {
     next.sharp = is_sharp(*held_, next);
     let_out(&next, line);
     next.curved = before_smoothed_ && next.fits && !next.sharp;
-    if (next.curved) next.start = way_between(held_->way, held_->length, next.way, next.length);
+    if (next.curved) next.start = direction_between(held_->direction, held_->length, next.direction, next.length);
   } else {
     before_smoothed_ = false;
   }
@@ -90,8 +90,8 @@ void Smoothing::let_out(const Held* next, const Line& line) {
     return;
   }
   const bool ends_smooth = next != nullptr && next->fits && next->piece.mode == piece.mode;
-  const Bezier curve(piece.from, piece.to, begins_smooth ? held.start : held.way,
-                     ends_smooth ? way_between(held.way, held.length, next->way, next->length) : held.way);
+  const Bezier curve(piece.from, piece.to, begins_smooth ? held.start : held.direction,
+                     ends_smooth ? direction_between(held.direction, held.length, next->direction, next->length) : held.direction);
   const double off = curve.off_chord();
   before_smoothed_ = off <= rules_.most && off >= rules_.least;
   if (!before_smoothed_) return line(piece.to, piece.feed, piece.tolerance, false, piece.tag);

@@ -58,14 +58,14 @@ class Smoothing {
  private:
   struct Held {
     Piece piece;
-    Axes way;             // direction of the piece, a unit vector
+    Axes direction;       // direction of the piece, a unit vector
     double length;        // length of the piece, mm
     bool fits;            // true if the length of the piece allows smoothing
     bool sharp = false;   // true if the corner at the start of the piece is too sharp for smoothing
     bool curved = false;  // True if the curve starts in the direction `start`, because the previous piece was smoothed.
     Axes start{};         // mean direction of the previous piece and this piece
   };
-  bool is_sharp(const Held& before, const Held& behind) const;
+  bool is_sharp(const Held& before, const Held& after) const;
   void let_out(const Held* next, const Line& line);
 
   SmoothingRules rules_;

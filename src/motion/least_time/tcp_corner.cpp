@@ -24,8 +24,8 @@ constexpr double of_direction = 0.01;
 /// Returns the rotation per travel of the tip, degrees/mm, or 0 if the tip does not move.
 double rate(double degrees, Vec3 tip) {
   constexpr double stands = 1e-9;
-  const double way = length(tip);
-  return way > stands ? degrees / way : 0;
+  const double travel = length(tip);
+  return travel > stands ? degrees / travel : 0;
 }
 
 }  // namespace
@@ -49,19 +49,19 @@ bool TcpPiece::keeps_pace(const TcpPiece& before) const {
   return known && before.known && now > 0 && std::fabs(now - then) <= same * now;
 }
 
-double tcp_tolerance(const TcpPiece& before, const TcpPiece& behind, double tolerance, AxisMask rotary) {
+double tcp_tolerance(const TcpPiece& before, const TcpPiece& after, double tolerance, AxisMask rotary) {
   double turn = 0, swing = 0, off_direction = 0;
-  const Vec3 bend = behind.tip - before.tip, on = unit(unit(before.tip) + unit(behind.tip));
+  const Vec3 bend = after.tip - before.tip, on = unit(unit(before.tip) + unit(after.tip));
   const double along = dot(bend, on), off = length(bend - along * on);
   for (std::size_t a = 0; a < max_axes; ++a) {
-    const double change = behind.along[a] - before.along[a];
+    const double change = after.along[a] - before.along[a];
     turn += change * change;
     if ((rotary >> a & 1U) == 0) continue;
     swing += change * change;
-    const double one = rate(before.along[a], before.tip), other = rate(behind.along[a], behind.tip);
+    const double one = rate(before.along[a], before.tip), other = rate(after.along[a], after.tip);
     // The part of the change of the axis' rotation rate that does not follow from the tip's position.
-    const double beside = change - (one + other) / 2 * along;
-    off_direction += beside * beside;
+    const double across = change - (one + other) / 2 * along;
+    off_direction += across * across;
   }
   turn = std::sqrt(turn);
   if (turn < straight_on) return tolerance;

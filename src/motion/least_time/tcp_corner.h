@@ -27,6 +27,6 @@ TcpPiece tcp_piece(std::size_t axes, const Axes& from, const Axes& to, Vec3 tip_
 /// Returns how far, mm, the axes may deviate from the corner between two pieces. The tip then deviates from its own path by at most
 /// `tolerance`, mm, and the tool from its direction by at most 0.01°. The result is a first-order estimate; it is bounded so that
 /// second-order terms cannot matter.
-double tcp_tolerance(const TcpPiece& before, const TcpPiece& behind, double tolerance, AxisMask rotary);
+double tcp_tolerance(const TcpPiece& before, const TcpPiece& after, double tolerance, AxisMask rotary);
 
 }  // namespace kadr

@@ -28,7 +28,7 @@ Growth growth(double k, double t) {
 
 }  // namespace
 
-double TimeLaw::way(double t) const {
+double TimeLaw::distance(double t) const {
   if (by_time) return t * (v + t * (a / 2 + t * j / 6));
   const Growth g = growth(j, t);
   return v * g.s + a * g.c;
@@ -41,7 +41,7 @@ double TimeLaw::speed(double t) const {
 }
 
 TimeLaw::State TimeLaw::after(double t) const {
-  if (by_time) return {way(t), speed(t), a + j * t, j};
+  if (by_time) return {distance(t), speed(t), a + j * t, j};
   const Growth g = growth(j, t);
   const double s = v * g.s + a * g.c, now = v * (1 + j * g.c) + a * g.s;
   return {s, now, a + j * s, j * now};
@@ -50,7 +50,7 @@ TimeLaw::State TimeLaw::after(double t) const {
 TimeLaw::State TimeLaw::at(double part) const {
   if (by_time) {
     const double t = part * seconds;
-    return {way(t), v + t * (a + t * j / 2), a + j * t, j};
+    return {distance(t), v + t * (a + t * j / 2), a + j * t, j};
   }
   const double s = part * length, squared = std::max(0.0, v * v + s * (2 * a + j * s)), rate = std::sqrt(squared);
   return {s, rate, a + j * s, j * rate};
@@ -58,7 +58,7 @@ TimeLaw::State TimeLaw::at(double part) const {
 
 TimeLaw TimeLaw::of_jerk(double seconds, double v, double a, double j) {
   TimeLaw law{seconds, 0, true, v, a, j};
-  law.length = law.way(seconds);
+  law.length = law.distance(seconds);
   return law;
 }
 
@@ -74,7 +74,7 @@ TimeLaw TimeLaw::of_squares(double length, double v, double a, double j) {
   double t = 2 * length / (v + end);
   constexpr int max_steps = 30;  // greatest number of Newton steps; four or five steps suffice
   for (int step = 0; step < max_steps; ++step) {
-    const double error = law.way(t) - length, rate = law.speed(t);
+    const double error = law.distance(t) - length, rate = law.speed(t);
     if (!(rate > 0)) break;
     const double by = std::clamp(error / rate, -t, t / 2);
     t -= by;
@@ -89,9 +89,10 @@ TimeLaw TimeLaw::from_rest(double length, double v, bool reversed) {
   return reversed ? TimeLaw{seconds, length, true, v, -jerk * seconds, jerk} : TimeLaw{seconds, length, true, 0, 0, jerk};
 }
 
-void TimedCells::position(std::size_t cell, double way, double* x) const {
+void TimedCells::position(std::size_t cell, double distance, double* x) const {
   const double* c = path.data() + cell * axes * terms;
-  for (std::size_t a = 0; a < axes; ++a, c += terms) x[a] = c[0] + way * (c[1] + way * (c[2] + way * (c[3] + way * (c[4] + way * c[5]))));
+  for (std::size_t a = 0; a < axes; ++a, c += terms)
+    x[a] = c[0] + distance * (c[1] + distance * (c[2] + distance * (c[3] + distance * (c[4] + distance * c[5]))));
 }
 
 double TimedCells::seconds() const {

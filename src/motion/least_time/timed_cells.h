@@ -14,11 +14,11 @@ struct TimeLaw {
   bool by_time = true;             // True: s = v t + a t²/2 + j t³/6. False: the acceleration depends on the distance, s̈ = a + j s.
   double v = 0, a = 0, j = 0;
 
-  double way(double t) const;
+  double distance(double t) const;
   double speed(double t) const;
   /// The distance along the path, mm, and its first three time derivatives in mm/s, mm/s² and mm/s³.
   struct State {
-    double way = 0, speed = 0, acceleration = 0, jerk = 0;
+    double distance = 0, speed = 0, acceleration = 0, jerk = 0;
   };
   State after(double t) const;
   /// Returns the state at the fraction `part` of the cell: a fraction of its duration if `by_time` is true, otherwise a fraction of its
@@ -67,7 +67,7 @@ struct SpindleTurn {
   // True if the angle was commanded. At the start of the cell the spindle angle then equals the planned angle modulo 360°.
   bool absolute = false;
 
-  double at(double t, double way) const { return angle + per_second * t + per_mm * way; }
+  double at(double t, double distance) const { return angle + per_second * t + per_mm * distance; }
 };
 
 /// Consecutive cells, each with its timing and the polynomials of the axis positions.
@@ -83,8 +83,8 @@ struct TimedCells {
   bool unsolved = false;               // True if no speed was found for these cells. The axes then stop after each of these cells.
 
   void clear() { laws.clear(), sources.clear(), path.clear(), spindle.clear(), unsolved = false; }
-  /// Writes to `x` the axis positions at the distance `way`, mm, from the start of a cell.
-  void position(std::size_t cell, double way, double* x) const;
+  /// Writes to `x` the axis positions at the distance `distance`, mm, from the start of a cell.
+  void position(std::size_t cell, double distance, double* x) const;
   double seconds() const;
 };
 

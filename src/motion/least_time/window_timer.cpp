@@ -44,13 +44,13 @@ void WindowTimer::pass_cells_on(TimedCells made, double standing, std::uint64_t 
   const double seconds = made.seconds();
   if (std::isfinite(seconds) && seconds <= most_of_standing * standing) return done_.push_back(std::move(made));
   std::size_t longest = 0;
-  double way = 0;
+  double length = 0;
   for (std::size_t k = 0; k < made.laws.size(); ++k) {
-    way += made.laws[k].length;
+    length += made.laws[k].length;
     if (k > 0 && std::isfinite(made.laws[longest].seconds) && !(made.laws[k].seconds <= made.laws[longest].seconds)) longest = k;
   }
   now_.is_refused = true;
-  now_.refused = {way, made.sources.empty() ? tag : made.sources[longest].tag};
+  now_.refused = {length, made.sources.empty() ? tag : made.sources[longest].tag};
 }
 
 /// Returns the time, s, that the first `count` cells would take with a stop at each corner.
@@ -74,11 +74,11 @@ void WindowTimer::solve(bool last, const StopToken& stop) {
   // The low speed at the end of the earlier solution is allowed at the new end too if its square is below twice the squared speed that was
   // computed for the new cells.
   constexpr double as_slow = 2, a_little = 1e-6;
-  if (const auto& known = now_.ends.guess; !found && !stop.asked() && !known.empty() && known.back() < as_slow * now_.ends.crawl) {
+  if (const auto& known = now_.ends.guess; !found && !stop.requested() && !known.empty() && known.back() < as_slow * now_.ends.crawl) {
     now_.ends.crawl = std::max(now_.ends.crawl, (1 + a_little) * known.back());
     found = timer_.solve(now_.cells.path, now_.ends, stop);
   }
-  if (stop.asked()) return;
+  if (stop.requested()) return;
   if (!found && stop_where_known(stop)) return last || now_.cells.count() >= least_window ? solve(last, stop) : void();
   if (!found) return cell_by_cell();
   if (last) return deliver(now_.cells.count());
@@ -137,7 +137,7 @@ void WindowTimer::cell_by_cell() {
   TimedCells made;
   made.axes = axes;
   for (std::size_t k = 0; k < path.cells(); ++k) {
-    std::array<double, max_axes> from{}, to{}, way{};
+    std::array<double, max_axes> from{}, to{}, direction{};
     TimedCells cell{axes, {}, {}, {path.shape(k, 0), path.shape(k, 0) + row}};
     cell.position(0, 0, from.data());
     cell.position(0, path.h[k], to.data());
@@ -145,12 +145,12 @@ void WindowTimer::cell_by_cell() {
     for (std::size_t a = 0; a < axes; ++a) squares += square(to[a] - from[a]);
     const double length = std::sqrt(squares);
     if (!(length > 0)) continue;
-    for (std::size_t a = 0; a < axes; ++a) way[a] = (to[a] - from[a]) / length;
+    for (std::size_t a = 0; a < axes; ++a) direction[a] = (to[a] - from[a]) / length;
     const std::size_t before = made.laws.size();
-    rest_to_rest(length, limits_along(limits_, way.data(), std::sqrt(path.most[k])), made.laws);
+    rest_to_rest(length, limits_along(limits_, direction.data(), std::sqrt(path.most[k])), made.laws);
     double s = 0;
     for (std::size_t i = before; i < made.laws.size(); s += made.laws[i++].length) {
-      for (std::size_t a = 0; a < axes; ++a) made.path.insert(made.path.end(), {from[a] + s * way[a], way[a], 0, 0, 0, 0});
+      for (std::size_t a = 0; a < axes; ++a) made.path.insert(made.path.end(), {from[a] + s * direction[a], direction[a], 0, 0, 0, 0});
       made.sources.push_back(now_.cells.sources[k]);
     }
   }

@@ -35,9 +35,9 @@ class WindowTimer {
   /// jerk j. If rounding errors have reduced a speed to nearly 0, the plan takes 10⁶ times that time, or it never ends.
   static constexpr double most_of_standing = 100;
 
-  /// The refused plan. `way` is its length in mm, and `tag` is the tag of the cell that would have taken the longest time.
+  /// The refused plan. `length` is its length in mm, and `tag` is the tag of the cell that would have taken the longest time.
   struct Refused {
-    double way = 0;
+    double length = 0;
     std::uint64_t tag = 0;
   };
   bool is_refused() const { return now_.is_refused; }

@@ -19,7 +19,7 @@ struct AxisState {
 template <class Take>
 void each_axis(const TimedCells& cells, std::size_t cell, double part, const Take& take) {
   const TimeLaw::State state = cells.laws[cell].at(part);
-  const double s = state.way, v = state.speed, a = state.acceleration;
+  const double s = state.distance, v = state.speed, a = state.acceleration;
   const double* c = cells.path.data() + cell * cells.axes * TimedCells::terms;
   for (std::size_t axis = 0; axis < cells.axes; ++axis, c += TimedCells::terms) {
     const double x1 = c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * 5 * c[5])));

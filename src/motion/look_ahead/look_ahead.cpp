@@ -102,10 +102,11 @@ void LookAhead::rapid(const Step& step, const Motion& motion, const PathShape& s
   const double programmed = step.time.seconds;
   RapidTime planned;
   if (rules_.overlaps_rapids) {
-    Axes ways{};
+    Axes travel{};
     const bool led = controls_tip(step.from, motion);
-    for (std::size_t i = 0; i < roles_.count; ++i) ways[i] = led ? motion.machine[i] - step.from.machine[i] : shape.start[i] * shape.length;
-    planned = rapid_apart(rules_, ways, rapid_rates_);
+    for (std::size_t i = 0; i < roles_.count; ++i)
+      travel[i] = led ? motion.machine[i] - step.from.machine[i] : shape.start[i] * shape.length;
+    planned = rapid_apart(rules_, travel, rapid_rates_);
   } else {
     planned = rapid_together(rules_, shape, shape.length / programmed);
   }

@@ -93,22 +93,22 @@ Ramp::Ramp(double from, double to, const Acceleration& acceleration)
 /// Computes the state at the time `t` in the first half of the ramp. The second half is the mirror image of the first half.
 Ramp::Moment Ramp::rising(double t, double start_speed, double sign) const {
   const double flat = std::max(t - build_up_, 0.0), build = std::min(t, build_up_);
-  // `gained` is the change of speed and `way` is the distance. Both are first computed for the time within the build-up only.
-  double gained = 0, way = 0;
+  // `gained` is the change of speed and `distance` is the distance. Both are first computed for the time within the build-up only.
+  double gained = 0, distance = 0;
   if (build_up_ > 0 && jerk_free_) {
     const double turn = build_up_ / pi;
     gained = peak_ / 2 * (build - turn * std::sin(build / turn));
-    way = peak_ / 2 * (build * build / 2 + turn * turn * (std::cos(build / turn) - 1));
+    distance = peak_ / 2 * (build * build / 2 + turn * turn * (std::cos(build / turn) - 1));
   } else if (build_up_ > 0) {
     gained = peak_ / build_up_ * build * build / 2;
-    way = gained * build / 3;
+    distance = gained * build / 3;
   }
-  return {start_speed * t + sign * (way + gained * flat + peak_ * flat * flat / 2), gained + peak_ * flat};
+  return {start_speed * t + sign * (distance + gained * flat + peak_ * flat * flat / 2), gained + peak_ * flat};
 }
 
-double Ramp::way_at(double t) const {
+double Ramp::distance_at(double t) const {
   const double sign = to_ < from_ ? -1 : 1;
-  return 2 * t <= seconds_ ? rising(t, from_, sign).way : length_ - rising(seconds_ - t, to_, -sign).way;
+  return 2 * t <= seconds_ ? rising(t, from_, sign).distance : length_ - rising(seconds_ - t, to_, -sign).distance;
 }
 
 double Ramp::speed_at(double t) const {
@@ -123,7 +123,7 @@ double Ramp::seconds_at(double at) const {
   double low = 0, high = seconds_;
   double t = seconds_ * at / length_;
   for (int step = 0; step < max_steps && high - low > near_enough * seconds_; ++step) {
-    const double over = way_at(t) - at;
+    const double over = distance_at(t) - at;
     if (std::abs(over) <= near_enough * length_) break;
     (over > 0 ? high : low) = t;
     const double newton = t - over / speed_at(t);

@@ -52,11 +52,12 @@ class Ramp {
 
  private:
   struct Moment {
-    // `way` is the distance since the start of the ramp, mm; `gained` is the absolute change of speed since the start of the ramp, mm/s.
-    double way, gained;
+    // `distance` is the distance since the start of the ramp, mm; `gained` is the absolute change of speed since the start of the ramp,
+    // mm/s.
+    double distance, gained;
   };
   Moment rising(double seconds, double start_speed, double sign) const;
-  double way_at(double seconds) const;
+  double distance_at(double seconds) const;
 
   double from_, to_;
   double peak_ = 0;      // the greatest acceleration of the ramp, mm/s²

@@ -101,7 +101,7 @@ void SpeedPlan::place_anchor(std::size_t node) {
   std::size_t before = node - 1, after = node + 1;
   while (!anchor_[before]) --before;
   while (!anchor_[after]) ++after;
-  const double from = speed_[before], to = speed_[after], up = way(before, node), down = way(node, after);
+  const double from = speed_[before], to = speed_[after], up = distance(before, node), down = distance(node, after);
   const double even = std::min(reached(from, up, gentlest(before, node)), reached(to, down, gentlest(node, after)));
   if (speed_[node] > even) {
     if (speed_[node] >= std::min(passing(from, up, liveliest(before, node)), passing(to, down, liveliest(node, after)))) return;
@@ -140,18 +140,18 @@ void SpeedPlan::make_smooth() {
 /// speed count. A plan may start in the middle of an older plan, at an instant at which the speed was falling. A complete ramp may then
 /// need more length than is available. In this case the speed changes linearly, with slightly more acceleration than allowed.
 void SpeedPlan::fill(std::size_t first, std::size_t last) {
-  const double from = speed_[first], to = speed_[last], length = way(first, last);
+  const double from = speed_[first], to = speed_[last], length = distance(first, last);
   Acceleration a = gentlest(first, last);
   if (ramp_length(from, to, a) > length * (1 + rounding)) a = {std::abs(to - from) * (to + from) / (2 * length)};
-  double most = 0, top = 0, up_way = 0, down_at = 0;
+  double most = 0, top = 0, up_length = 0, down_at = 0;
   for (std::size_t k = first; k < last; ++k) most = std::max(most, pieces_[k].most);
   for (bool fits = false; !fits;) {
     fits = true;
     top = top_speed(from, to, length, most, a);
-    up_way = ramp_length(from, top, a);
-    down_at = std::max(length - ramp_length(top, to, a), up_way);
+    up_length = ramp_length(from, top, a);
+    down_at = std::max(length - ramp_length(top, to, a), up_length);
     for (std::size_t k = first; k < last; ++k) {
-      const bool at_top = at_[k] - at_[first] <= down_at && at_[k + 1] - at_[first] >= up_way;
+      const bool at_top = at_[k] - at_[first] <= down_at && at_[k + 1] - at_[first] >= up_length;
       if (!at_top || pieces_[k].most >= top || most <= std::max(from, to)) continue;
       most = pieces_[k].most;
       fits = false;
@@ -159,16 +159,16 @@ void SpeedPlan::fill(std::size_t first, std::size_t last) {
     }
   }
   const Ramp up(from, top, a), down(top, to, a);
-  const double even = (down_at - up_way) / top, all = up.seconds() + even + down.seconds();
+  const double even = (down_at - up_length) / top, all = up.seconds() + even + down.seconds();
   double passed = 0, speed = from;
   for (std::size_t k = first; k < last; ++k) {
     PathPiece& p = pieces_[k];
     const double start = at_[k] - at_[first], end = at_[k + 1] - at_[first];
     const double up_time = up.seconds_at(end), down_time = down.seconds_at(end - down_at);
-    const double time = k + 1 == last ? all : up_time + std::clamp((end - up_way) / top, 0.0, even) + down_time;
+    const double time = k + 1 == last ? all : up_time + std::clamp((end - up_length) / top, 0.0, even) + down_time;
     p.seconds = time - passed;
-    p.end = k + 1 == last ? to : end < up_way ? up.speed_at(up_time) : down.speed_at(down_time);
-    p.top = start <= down_at && end >= up_way ? top : std::max(speed, p.end);
+    p.end = k + 1 == last ? to : end < up_length ? up.speed_at(up_time) : down.speed_at(down_time);
+    p.top = start <= down_at && end >= up_length ? top : std::max(speed, p.end);
     p.steady = end <= down_at || k + 1 == last;
     passed = time;
     speed = p.end;

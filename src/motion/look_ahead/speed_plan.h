@@ -45,7 +45,7 @@ class SpeedPlan {
   void fill(std::size_t first, std::size_t last);
   Acceleration gentlest(std::size_t first, std::size_t last) const;
   Acceleration liveliest(std::size_t first, std::size_t last) const;
-  double way(std::size_t first, std::size_t last) const { return at_[last] - at_[first]; }
+  double distance(std::size_t first, std::size_t last) const { return at_[last] - at_[first]; }
 
   std::span<PathPiece> pieces_;
   // Speed at each node, mm/s. A node is a joint of two pieces or an end of the path. The value is first the speed limit, and after the

@@ -5,14 +5,14 @@
 namespace kadr {
 
 OverrideRamp::OverrideRamp(OverrideFactor from, double to, double seconds) : seconds_(seconds), end_(to) {
-  const double h = seconds, way = to - from.share - h * (from.rate + h * from.bend / 2), slope = -from.rate - h * from.bend,
+  const double h = seconds, delta = to - from.share - h * (from.rate + h * from.bend / 2), slope = -from.rate - h * from.bend,
                bend = -from.bend;
   c_ = {from.share,
         from.rate,
         from.bend / 2,
-        (10 * way - h * (4 * slope - h * bend / 2)) / (h * h * h),
-        (-15 * way + h * (7 * slope - h * bend)) / (h * h * h * h),
-        (6 * way - h * (3 * slope - h * bend / 2)) / (h * h * h * h * h)};
+        (10 * delta - h * (4 * slope - h * bend / 2)) / (h * h * h),
+        (-15 * delta + h * (7 * slope - h * bend)) / (h * h * h * h),
+        (6 * delta - h * (3 * slope - h * bend / 2)) / (h * h * h * h * h)};
 }
 
 OverrideFactor OverrideRamp::at(double t) const {

@@ -26,7 +26,7 @@ constexpr double rounding_of_limits = 1 + 1e-9;  // factor of all limits that al
 // Intermediate overrides (factors of the planned speed). If the plan uses the full jerk limit, playing the plan at these overrides leaves
 // 2, 9, 27 and 66 % of the jerk for the change. A ramp that would take much longer than shortest() is therefore divided at one of these
 // overrides. Otherwise the little jerk that is available at the start of the ramp would limit the whole change.
-constexpr std::array on_the_way = {0.992, 0.97, 0.9, 0.7};
+constexpr std::array split_shares = {0.992, 0.97, 0.9, 0.7};
 constexpr double much_longer = 1.2;
 constexpr double least_change = 0.001;  // smallest change of the override that is tried if too few cells are available for the check
 constexpr double least_ramp = 4;        // duration of the shortest ramp, in servo periods
@@ -43,22 +43,22 @@ Playback::Playback(MotionLimits limits, double rate, std::size_t cells)
 template <class Crossed>
 bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, double seconds, Crossed&& crossed) const {
   double left = seconds;
-  double way = ramp.passed(on_ramp + seconds) - ramp.passed(on_ramp);
+  double plan_seconds = ramp.passed(on_ramp + seconds) - ramp.passed(on_ramp);
   bool held = ramp.at(on_ramp + seconds).share <= 0;
   while (!is_over(at)) {
     const TimeLaw& law = ring_.law(at.cell);
     const double rest = law.seconds - at.t;
     const bool stands = law.length == 0;
-    const double step = stands ? (held ? 0 : left) : way;
+    const double step = stands ? (held ? 0 : left) : plan_seconds;
     if (step < rest) {
       at.t += step;
       return true;
     }
     const double part = step > 0 ? rest / step : 0;
-    left -= part * left, way -= part * way;
+    left -= part * left, plan_seconds -= part * plan_seconds;
     const std::optional<double> wait = crossed(Cursor{at.cell, law.seconds}, on_ramp + seconds - left);
     ++at.cell, at.t = 0;
-    if (wait) at.t = -*wait, way = left, held = false;
+    if (wait) at.t = -*wait, plan_seconds = left, held = false;
   }
   return left <= 0;
 }
@@ -71,7 +71,7 @@ void Playback::show(const Cursor& at, double* x) {
   const bool over = is_over(at);
   const std::uint64_t cell = over ? at.cell - 1 : at.cell;
   const TimeLaw& law = ring_.law(cell);
-  const double t = over ? law.seconds : at.t, s = over ? law.length : law.way(t);
+  const double t = over ? law.seconds : at.t, s = over ? law.length : law.distance(t);
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
     const double* const c = ring_.path(cell, a);
     x[a] = c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
@@ -90,9 +90,9 @@ bool Playback::is_allowed(const Cursor& at, const OverrideFactor& pace) const {
   const TimeLaw::State i = law.after(at.t);
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
     const double* const c = ring_.path(at.cell, a);
-    const double x1 = c[1] + i.way * (2 * c[2] + i.way * (3 * c[3] + i.way * (4 * c[4] + i.way * 5 * c[5])));
-    const double x2 = 2 * c[2] + i.way * (6 * c[3] + i.way * (12 * c[4] + i.way * 20 * c[5]));
-    const double x3 = 6 * c[3] + i.way * (24 * c[4] + i.way * 60 * c[5]);
+    const double x1 = c[1] + i.distance * (2 * c[2] + i.distance * (3 * c[3] + i.distance * (4 * c[4] + i.distance * 5 * c[5])));
+    const double x2 = 2 * c[2] + i.distance * (6 * c[3] + i.distance * (12 * c[4] + i.distance * 20 * c[5]));
+    const double x3 = 6 * c[3] + i.distance * (24 * c[4] + i.distance * 60 * c[5]);
     const double speed = x1 * i.speed, acceleration = x2 * i.speed * i.speed + x1 * i.acceleration;
     const double jerk = x3 * i.speed * i.speed * i.speed + 3 * x2 * i.speed * i.acceleration + x1 * i.jerk;
     const double now = pace.share * pace.share * acceleration + pace.rate * speed;
@@ -115,7 +115,8 @@ double Playback::shortest(double target) const {
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
     const double* const c = ring_.path(now_.at.cell, a);
     const double speed =
-        change * std::fabs(i.speed * (c[1] + i.way * (2 * c[2] + i.way * (3 * c[3] + i.way * (4 * c[4] + i.way * 5 * c[5])))));
+        change *
+        std::fabs(i.speed * (c[1] + i.distance * (2 * c[2] + i.distance * (3 * c[3] + i.distance * (4 * c[4] + i.distance * 5 * c[5])))));
     seconds = std::max({seconds, max_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / limits_.jerk[a])});
   }
   return std::min(seconds, longest);
@@ -138,10 +139,10 @@ void Playback::try_ramp(double target, double seconds) {
 
 /// Returns the intermediate override nearest to the target, for a shorter ramp instead of the ramp under check; nullopt if no intermediate
 /// override lies before the target.
-std::optional<double> Playback::share_on_the_way() const {
+std::optional<double> Playback::split_share() const {
   const double from = now_.next.at(0).share, to = now_.next.end();
   std::optional<double> nearest;
-  for (const double share : on_the_way)
+  for (const double share : split_shares)
     if ((share - from) * (share - to) < 0 && (!nearest || std::fabs(share - to) < std::fabs(*nearest - to))) nearest = share;
   return nearest;
 }
@@ -180,7 +181,7 @@ void Playback::keep_trying() {
     }
     if (allowed && is_allowed(now_.probe, now_.next.at(now_.on_next))) continue;
     const double seconds = longer * now_.next.seconds();
-    const std::optional<double> sooner = share_on_the_way();
+    const std::optional<double> sooner = split_share();
     if (sooner && seconds > much_longer * shortest(now_.next.end())) return try_ramp(*sooner, shortest(*sooner));
     if (seconds >= longest) return exceed_a_little();
     return try_ramp(now_.next.end(), seconds);
@@ -189,12 +190,12 @@ void Playback::keep_trying() {
 
 /// Returns the override that the operator requests, 0 to 1. In cells where the override switch has no effect, the result is 1. In cells
 /// where feed hold has no effect, the last requested override above 0 replaces a request of 0.
-double Playback::asked() {
-  const double wanted = wanted_.load(std::memory_order_relaxed);
-  if (wanted > 0) now_.last_override = wanted;
-  if (is_over(now_.at)) return wanted;
+double Playback::requested_share() {
+  const double requested = requested_.load(std::memory_order_relaxed);
+  if (requested > 0) now_.last_override = requested;
+  if (is_over(now_.at)) return requested;
   const Switches switches = ring_.switches(now_.at.cell);
-  if (wanted <= 0 && switches.hold) return 0;
+  if (requested <= 0 && switches.hold) return 0;
   return switches.feed_override ? now_.last_override : 1;
 }
 
@@ -202,9 +203,9 @@ double Playback::asked() {
 /// brakes the axes.
 void Playback::steer() {
   const bool scarce = !ring_.finished() && ring_.has_room() && ahead() < reserve * (now_.goal > 0 ? 1 : 2);
-  const double wanted = scarce ? 0 : asked();
-  if (wanted != now_.goal || (!now_.trying && now_.on_ramp >= now_.ramp.seconds() && now_.ramp.end() != now_.goal)) {
-    now_.goal = wanted;
+  const double requested = scarce ? 0 : requested_share();
+  if (requested != now_.goal || (!now_.trying && now_.on_ramp >= now_.ramp.seconds() && now_.ramp.end() != now_.goal)) {
+    now_.goal = requested;
     now_.over = a_little_more;
     try_ramp(now_.goal, shortest(now_.goal));
   }
@@ -284,7 +285,7 @@ void Playback::step() {
 
 std::size_t Playback::fill(double* positions, std::size_t count) {
   if (!now_.started) {
-    const double share = asked();
+    const double share = requested_share();
     if (ring_.end() == 0) {
       now_.done = ring_.finished();
       return 0;

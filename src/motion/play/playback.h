@@ -44,7 +44,7 @@ class Playback {
 
   /// Requests an override, 0 to 1, as a factor of the planned speed; 0 is a feed hold. A value above 1 counts as 1, because it would need a
   /// faster plan.
-  void override_to(double share) { wanted_.store(share > 0 ? share < 1 ? share : 1 : 0, std::memory_order_relaxed); }
+  void override_to(double share) { requested_.store(share > 0 ? share < 1 ? share : 1 : 0, std::memory_order_relaxed); }
 
   // The servo clock calls the functions below, in one thread.
 
@@ -58,7 +58,7 @@ class Playback {
   double share() const { return now_.ramp.at(now_.on_ramp).share; }
   /// True if an override of 0 (feed hold) keeps the axes at rest.
   bool is_held() const {
-    return now_.started && now_.ramp.at(now_.on_ramp).share <= 0 && now_.goal <= 0 && wanted_.load(std::memory_order_relaxed) <= 0;
+    return now_.started && now_.ramp.at(now_.on_ramp).share <= 0 && now_.goal <= 0 && requested_.load(std::memory_order_relaxed) <= 0;
   }
   /// The tag of the cell at the last instant of the servo clock.
   std::uint64_t tag() const { return now_.tag; }
@@ -108,13 +108,13 @@ class Playback {
   /// uses this Playback.
   struct Memory {
     Place place;
-    double wanted = 1;
+    double requested = 1;
     CellRing::Memory cells;
   };
-  Memory memory() const { return {now_, wanted_.load(), ring_.memory()}; }
+  Memory memory() const { return {now_, requested_.load(), ring_.memory()}; }
   void resume_from(const Memory& memory) {
     now_ = memory.place;
-    wanted_ = memory.wanted;
+    requested_ = memory.requested;
     ring_.resume_from(memory.cells);
   }
 
@@ -125,13 +125,13 @@ class Playback {
   bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const;
   void show(const Cursor& at, double* x);
   bool is_allowed(const Cursor& at, const OverrideFactor& pace) const;
-  double asked();
+  double requested_share();
   double wait_for_spindle(std::uint64_t cell);
   bool go_on();
   void step();
   void steer();
   void try_ramp(double target, double seconds);
-  std::optional<double> share_on_the_way() const;
+  std::optional<double> split_share() const;
   void exceed_a_little();
   void keep_trying();
   double shortest(double target) const;
@@ -139,7 +139,7 @@ class Playback {
   MotionLimits limits_;
   double period_;
   CellRing ring_;
-  std::atomic<double> wanted_{1};
+  std::atomic<double> requested_{1};
 
   Place now_;
 };

@@ -66,8 +66,8 @@ SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motio
   if (curve.surface() != PathSurface::plane) return slowest;
   for (std::size_t i = 0; i < roles.count; ++i) {
     const bool turns = !curve.straight() && (i == motion.first || i == motion.second);
-    const double way = turns ? curve.length(motion.along) : std::abs(curve.way(i));
-    if (most[i] > 0 && way / most[i] > slowest.minutes) slowest = {i, way / most[i]};
+    const double travel = turns ? curve.length(motion.along) : std::abs(curve.travel(i));
+    if (most[i] > 0 && travel / most[i] > slowest.minutes) slowest = {i, travel / most[i]};
   }
   return slowest;
 }
@@ -99,8 +99,8 @@ double TimeEstimate::rapid_minutes(const Curve& curve) const {
   if (curve.surface() == PathSurface::polar) return kadr::rapid_minutes(curve, roles_, rates_.rapid);
   double minutes = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) {
-    const double way = std::abs(curve.way(i));
-    if (way > 0) minutes = std::max(minutes, way / rates_.rapid[i]);
+    const double travel = std::abs(curve.travel(i));
+    if (travel > 0) minutes = std::max(minutes, travel / rates_.rapid[i]);
   }
   return minutes;
 }
@@ -109,7 +109,7 @@ double TimeEstimate::rapid_minutes(const Curve& curve) const {
 /// Overrides do not apply to threads.
 double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) const {
   double longest = 0;
-  for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.way(i)));
+  for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.travel(i)));
   return longest == 0 ? 0 : longest / (*motion.detail->lead * turning(motion).now());
 }
 
@@ -123,21 +123,21 @@ double TimeEstimate::turning_minutes(const Motion& motion, const Curve& curve, d
 double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
   const double override_part = motion.own_override ? 1 : rates_.feed_part, spindle_part = motion.own_override ? 1 : rates_.spindle_part;
   const bool measured = time.length > 0 && curve.measures_path(motion.along);
-  const double way = measured ? time.length : curve.length(motion.along);
+  const double path_length = measured ? time.length : curve.length(motion.along);
   if (motion.unit == FeedUnit::per_min) {
-    time.feed = way * motion.feed * override_part;
+    time.feed = path_length * motion.feed * override_part;
     return 1 / (motion.feed * override_part);
   }
   const bool per_rev = motion.unit == FeedUnit::mm_per_rev;
   time.feed = motion.feed * override_part * (per_rev ? turning(motion).now() * feed_ratio_ * spindle_part : 1);
-  if (way == 0) return 0;
+  if (path_length == 0) return 0;
   if (per_rev && turning(motion).surface.on && curve.surface() == PathSurface::plane) {
     const double minutes = turning_minutes(motion, curve, motion.feed * override_part * spindle_part * feed_ratio_);
-    time.feed = way / minutes;
+    time.feed = path_length / minutes;
     return minutes;
   }
   if (curve.surface() == PathSurface::polar) return minutes(curve, {time.feed, motion.detail->max_rotary_speed, motion.along});
-  return way / time.feed;
+  return path_length / time.feed;
 }
 
 /// Returns the time, min, at the programmed feed. The time is long enough that no axis exceeds its rapid rate.
@@ -154,8 +154,8 @@ double TimeEstimate::machine_minutes(const Motion& motion, const ToolPosition& f
   for (std::size_t i = 0; i < roles_.count; ++i) {
     const double rate = rapid ? rates_.rapid[i] : rates_.most[i];
     const bool rolled = motion.detail && (motion.detail->rolled >> i & 1U) != 0;
-    const double way = std::abs(rolled ? motion.detail->travel[i] : motion.machine[i] - from.machine[i]);
-    if (way > 0 && rate > 0) minutes = std::max(minutes, way / rate);
+    const double travel = std::abs(rolled ? motion.detail->travel[i] : motion.machine[i] - from.machine[i]);
+    if (travel > 0 && rate > 0) minutes = std::max(minutes, travel / rate);
   }
   return minutes;
 }

@@ -34,8 +34,8 @@ double minutes_per_part(const Curve& curve, const PolarFeed& limits, double part
 }
 
 double feed_at(const Curve& curve, const PolarFeed& limits, double part) {
-  const double way = curve.rate(limits.along, part);
-  return way == 0 ? limits.feed : std::min(limits.feed, way / minutes_per_part(curve, limits, part));
+  const double rate = curve.rate(limits.along, part);
+  return rate == 0 ? limits.feed : std::min(limits.feed, rate / minutes_per_part(curve, limits, part));
 }
 
 double highest_feed(const Curve& curve, const PolarFeed& limits) {

@@ -27,15 +27,15 @@ RapidTime rapid_together(const SpeedRules& rules, const PathShape& shape, double
   return {travel_seconds(0, 0, shape.length, speed, a), top_speed(0, 0, shape.length, speed, a), 0};
 }
 
-RapidTime rapid_apart(const SpeedRules& rules, const Axes& ways, const Axes& rates) {
+RapidTime rapid_apart(const SpeedRules& rules, const Axes& travel, const Axes& rates) {
   RapidTime longest;
   for (std::size_t i = 0; i < max_axes; ++i) {
-    const double way = std::abs(ways[i]);
-    if (way == 0) continue;
+    const double distance = std::abs(travel[i]);
+    if (distance == 0) continue;
     const Acceleration a{rules.acceleration[i], rules.build_up[i], rules.jerk_free};
-    const double seconds = travel_seconds(0, 0, way, rates[i], a);
+    const double seconds = travel_seconds(0, 0, distance, rates[i], a);
     if (seconds <= longest.seconds) continue;
-    const double top = top_speed(0, 0, way, rates[i], a);
+    const double top = top_speed(0, 0, distance, rates[i], a);
     longest = {seconds, top, left_of_ramp(top, rules.overlap_from, a)};
   }
   return longest;

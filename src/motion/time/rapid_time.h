@@ -20,8 +20,8 @@ RapidTime rapid_together(const SpeedRules& rules, const PathShape& shape, double
 /// Returns the time of a rapid motion in which each axis moves at its own rapid rate with its own acceleration (NCT 4.1.2, INFERRED). The
 /// next motion starts when the speed of the slowest axis has fallen by the percentage in the NCT parameter N0422. INFERRED: N0422 is a
 /// percentage of the speed.
-///   ways   signed travel of the axes, mm or degrees
+///   travel  signed travel of the axes, mm or degrees
 ///   rates  rapid rates of the axes, mm/s or degrees/s
-RapidTime rapid_apart(const SpeedRules& rules, const Axes& ways, const Axes& rates);
+RapidTime rapid_apart(const SpeedRules& rules, const Axes& travel, const Axes& rates);
 
 }  // namespace kadr

@@ -42,7 +42,7 @@ void SpeedRecord::take_cell(const TimedCells& cells, std::size_t cell) {
     const double to = std::clamp(static_cast<double>(i + 1) * width_ - now_, 0.0, law.seconds);
     for (const double t : {from, (from + to) / 2, to}) {
       if (!(law.seconds > 0)) continue;
-      const double part = law.by_time ? t / law.seconds : std::min(1.0, law.way(t) / law.length);
+      const double part = law.by_time ? t / law.seconds : std::min(1.0, law.distance(t) / law.length);
       const LimitUsage shares = shares_at(cells, cell, part, limits_);
       if (spent.on == Spent::On::rapid) rapid_ = std::max(rapid_, shares.speed);
       columns_[i].take({shares.speed, shares.speed, source.feed < unlimited_feed ? source.feed : 0, shares.of_acceleration, shares.of_jerk,

@@ -29,7 +29,7 @@ void SpindleClock::start(const SpindleSetup& setup, double override_part, std::s
   spindle.angle = setup.angle.value_or(0);
 }
 
-void SpindleClock::lead(std::size_t number) {
+void SpindleClock::select_leading(std::size_t number) {
   (void)numbered(number);
   leading_ = number;
 }
@@ -56,11 +56,11 @@ void SpindleClock::couple(double degrees_per_mm) {
 /// Returns the rotation of the leading spindle in a cell. INFERRED: all other spindles rotate without interruption at their commanded
 /// speeds.
 SpindleTurn SpindleClock::turn(double per_second, const TimeLaw& law) {
-  Turned& leads = led();
+  Turned& leading = led();
   for (Turned& other : spindles_)
-    if (&other != &leads) other.angle += override_part_ * other.turning.degrees(other.turning.now()) * law.seconds;
-  const SpindleTurn now{leads.angle, per_second, per_mm_, false, std::exchange(leads.absolute, false)};
-  leads.angle = now.at(law.seconds, law.length);
+    if (&other != &leading) other.angle += override_part_ * other.turning.degrees(other.turning.now()) * law.seconds;
+  const SpindleTurn now{leading.angle, per_second, per_mm_, false, std::exchange(leading.absolute, false)};
+  leading.angle = now.at(law.seconds, law.length);
   return now;
 }
 

@@ -20,7 +20,7 @@ class SpindleClock {
 
   /// Makes a spindle the leading spindle. Spindle 1 leads unless the program selects another (nct 11.4).
   ///   pre  all motions planned before this call were emitted
-  void lead(std::size_t number);
+  void select_leading(std::size_t number);
   std::size_t leading() const { return leading_; }
 
   /// Applies a command to a spindle. INFERRED: the spindle reaches a commanded angle (M19, positioning) at once, because the manuals of the

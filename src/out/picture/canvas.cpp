@@ -49,10 +49,10 @@ void Canvas::zero_mark(Vec2 centre, double radius, Colour ink) {
 
 void Canvas::arrow(Vec2 from, Vec2 to, Colour ink, double width) {
   line(from, to, ink, width);
-  const Vec2 way = to - from;
-  const double size = length(way);
+  const Vec2 delta = to - from;
+  const double size = length(delta);
   if (size == 0) return;
-  const Vec2 along = (1 / size) * way, across{-along.y, along.x};
+  const Vec2 along = (1 / size) * delta, across{-along.y, along.x};
   const double head = 4 + 2 * width;
   const Vec2 base = to - head * along;
   move_to(to + 2.0 * along);

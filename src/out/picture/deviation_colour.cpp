@@ -12,10 +12,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t as_wanted = 0xC9CED6, little_left = 0x9DBBE8, much_left = 0x1B4FB0, little_gouged = 0xF0A8A0,
+constexpr std::uint32_t within_tolerance = 0xC9CED6, little_left = 0x9DBBE8, much_left = 0x1B4FB0, little_gouged = 0xF0A8A0,
                         much_gouged = 0xB01818;
 constexpr int scale_steps = 60;
-constexpr double beside = 150;  // width that the word at each end of the colour scale needs, units of the page
+constexpr double label_space = 150;  // width that the word at each end of the colour scale needs, units of the page
 
 }  // namespace
 
@@ -34,13 +34,13 @@ DeviationScale deviation_scale(const std::vector<float>& of_point, double within
 
 std::uint32_t deviation_colour(double deviation, const DeviationScale& scale) {
   const double off = std::abs(deviation);
-  if (off <= scale.within) return as_wanted;
+  if (off <= scale.within) return within_tolerance;
   const double share = std::clamp((off - scale.within) / std::max(scale.most - scale.within, 1e-9), 0.0, 1.0);
   return deviation > 0 ? mixed_colour(little_left, much_left, share) : mixed_colour(little_gouged, much_gouged, share);
 }
 
 void draw_deviation_key(Canvas& canvas, const Area& area, const DeviationScale& scale, Lang lang) {
-  const double left = area.x + beside, width = area.width - 2 * beside, step = width / scale_steps;
+  const double left = area.x + label_space, width = area.width - 2 * label_space, step = width / scale_steps;
   for (int i = 0; i < scale_steps; ++i)
     canvas.fill({left + i * step, area.y, step, area.height},
                 colour(deviation_colour(scale.most * ((2 * i + 1.0) / scale_steps - 1), scale)));

@@ -24,7 +24,7 @@ constexpr std::size_t few_lines = 5;  // greatest number of text lines below the
 constexpr std::size_t max_line_length = 300;
 constexpr Colour faint = colour(0x5B6775), fine = colour(0x1A7F37), warns = colour(0xB04A00);
 
-std::string said_on(const DifferencePage& page, PlainText text) { return translated_in(page.scene.title.lang, text); }
+std::string text_on(const DifferencePage& page, PlainText text) { return translated_in(page.scene.title.lang, text); }
 
 std::size_t rows_of(const DifferencePage& page) { return page.lines.size() <= few_lines ? page.lines.size() : (page.lines.size() + 1) / 2; }
 
@@ -59,25 +59,25 @@ void draw_key(Canvas& canvas, const DifferencePage& page, double y) {
   canvas.begin("legend");
   LegendRow strokes(canvas, edge_room + 4, y - key_row);
   if (const PlotDifferences& d = *scene.differences; !d.a.points().empty() || !d.b.points().empty()) {
-    strokes.sample(way_of_a, fitting(page.a, max_name, line_size));
-    strokes.sample({way_of_b.ink, 2}, fitting(page.b, max_name, line_size));
+    strokes.sample(path_of_a, fitting(page.a, max_name, line_size));
+    strokes.sample({path_of_b.ink, 2}, fitting(page.b, max_name, line_size));
   }
-  strokes.sample({same_way.ink, 1.4}, said_on(page, texts::difference_page::both));
-  if (!scene.differences->changed.points().empty()) strokes.sample(changed_way, said_on(page, texts::difference_page::both_changed));
+  strokes.sample({same_path.ink, 1.4}, text_on(page, texts::difference_page::both));
+  if (!scene.differences->changed.points().empty()) strokes.sample(changed_path, text_on(page, texts::difference_page::both_changed));
   LegendRow signs(canvas, edge_room + 4, y);
   canvas.dashes(5, 4);
-  signs.sample({same_way.ink, 1.2}, said_on(page, texts::picture::rapid));
+  signs.sample({same_path.ink, 1.2}, text_on(page, texts::picture::rapid));
   canvas.solid();
-  if (!scene.zeros.empty()) signs.zero(said_on(page, texts::picture::work_zero));
+  if (!scene.zeros.empty()) signs.zero(text_on(page, texts::picture::work_zero));
   for (const PlotMark& mark : scene.marks) {
     if (mark.what == PlotMark::What::stop)
       signs.mark(mark.what,
                  translated_in(scene.title.lang, texts::difference_page::stopped, scene.title.file_of(mark.line), mark.line.line));
-    else signs.mark(mark.what, said_on(page, mark.what == PlotMark::What::start ? texts::picture::start : texts::picture::end));
+    else signs.mark(mark.what, text_on(page, mark.what == PlotMark::What::start ? texts::picture::start : texts::picture::end));
   }
   const auto stands = [](const PlotNumber& number) { return number.stands; };
   if (const auto& numbers = scene.differences->numbers; std::any_of(numbers.begin(), numbers.end(), stands))
-    signs.ring(number_ink, said_on(page, texts::difference_page::between_motions));
+    signs.ring(number_ink, text_on(page, texts::difference_page::between_motions));
   if (const double tolerance = scene.path.tolerance(); tolerance > 0)
     canvas.text({page_wide - edge_room, y},
                 translated_in(scene.title.lang, texts::difference_page::thinned, length_text(tolerance, LengthUnit::mm)),
@@ -125,7 +125,7 @@ void draw_both(Canvas& canvas, const DifferencePage& page) {
   draw_head(canvas, page);
   draw_lines_of(canvas, page);
   if (page.scene.path.box().empty)
-    return canvas.text({page_wide / 2, views_height / 2}, said_on(page, texts::picture::no_motion), {22, faint, Align::centre, false});
+    return canvas.text({page_wide / 2, views_height / 2}, text_on(page, texts::picture::no_motion), {22, faint, Align::centre, false});
   draw_key(canvas, page, views_height - edge_room / 2 - 6);
   const double top = head_height + 12, bottom = views_height - edge_room - key_height + 8;
   const Area large{edge_room, top, page_wide - 2 * edge_room - room_between - right_width, bottom - top};
@@ -136,9 +136,9 @@ void draw_both(Canvas& canvas, const DifferencePage& page) {
 }  // namespace
 
 tl::expected<void, std::string> draw_difference_page(const ResultFile& file, const DifferencePage& page) {
-  const PageText says{page.scene.title.file, page.summary + ". " + said_on(page, texts::difference_page::strokes_have_lines),
-                      page.scene.title.lang};
-  return write_page(file, page_wide, height_of(page), says, [&](Canvas& canvas) { draw_both(canvas, page); });
+  const PageText page_text{page.scene.title.file, page.summary + ". " + text_on(page, texts::difference_page::strokes_have_lines),
+                           page.scene.title.lang};
+  return write_page(file, page_wide, height_of(page), page_text, [&](Canvas& canvas) { draw_both(canvas, page); });
 }
 
 }  // namespace kadr

@@ -13,9 +13,9 @@ void LegendRow::sample(const PathStyle& style, std::string_view name) {
   words(name);
 }
 
-void LegendRow::words(std::string_view text, double behind) {
+void LegendRow::words(std::string_view text, double gap_after) {
   canvas_.text({x_, y_}, text, legend_style);
-  x_ += text_width(text, legend_style.size) + behind;
+  x_ += text_width(text, legend_style.size) + gap_after;
 }
 
 void LegendRow::zero(std::string_view name) {

@@ -18,7 +18,7 @@ class LegendRow {
   /// Draws a short line in this style as a sample, followed by its name.
   void sample(const PathStyle& style, std::string_view name);
   void sample(Colour of, std::string_view name) { sample({of, 3}, name); }
-  void words(std::string_view text, double behind = between);
+  void words(std::string_view text, double gap_after = between);
   void zero(std::string_view name);
   void mark(PlotMark::What what, std::string_view name);
   void ring(Colour ink, std::string_view name);

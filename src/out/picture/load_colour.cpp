@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t light_load = 0x2F6FB3, middle_load = 0xF6E08A, heavy_load = 0xB71C1C, no_load = 0x9AA3AF;
 constexpr int load_steps = 60;
-constexpr double beside_load_key = 60;  // width that the word at each end of the colour scale needs, units of the page
+constexpr double load_key_space = 60;  // width that the word at each end of the colour scale needs, units of the page
 constexpr double mark_radius = 11;
 
 float rate_of(std::int32_t sweep, const SweepRates& rates) {
@@ -39,7 +39,7 @@ std::uint32_t load_colour(std::int32_t sweep, const SweepRates& rates, double gr
 }
 
 void draw_load_key(Canvas& canvas, const Area& area, double greatest, Lang lang) {
-  const double left = area.x + beside_load_key, width = area.width - 4 * beside_load_key, step = width / load_steps;
+  const double left = area.x + load_key_space, width = area.width - 4 * load_key_space, step = width / load_steps;
   for (int i = 0; i < load_steps; ++i) canvas.fill({left + i * step, area.y, step, area.height}, colour(shade_of((i + 0.5) / load_steps)));
   const double base = area.y + area.height - 2;
   canvas.text({left - 8, base}, "0", {13, colour(0x20262E), Align::right, false});

@@ -105,8 +105,8 @@ class Drawing {
       const Vec3 from = picture_.moves[i - 1].to;
       const Edge e{{from.x, from.y}, {m.to.x, m.to.y}, m.bulge};
       if (m.kind != area::MoveKind::feed || area::length_of(e) * scale_ < 60) continue;
-      const Vec2 middle = page(area::at(e, 0.5)), way = area::direction(e, 0.5);
-      canvas.arrow(middle - Vec2{4 * way.x, -4 * way.y}, middle + Vec2{4 * way.x, -4 * way.y}, cutting, 1.2);
+      const Vec2 middle = page(area::at(e, 0.5)), direction = area::direction(e, 0.5);
+      canvas.arrow(middle - Vec2{4 * direction.x, -4 * direction.y}, middle + Vec2{4 * direction.x, -4 * direction.y}, cutting, 1.2);
     }
   }
 

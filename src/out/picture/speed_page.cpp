@@ -45,18 +45,18 @@ class SpeedPage {
     find_top_speed();
   }
 
-  PageText says() const { return {name_of_file(title_.file), speed_heading() + ". " + subtitle(), title_.lang}; }
+  PageText page_text() const { return {name_of_file(title_.file), speed_heading() + ". " + subtitle(), title_.lang}; }
 
   void draw(Canvas& canvas) const {
     canvas.fill({0, 0, speed_page_width, speed_page_height}, colour(0xFFFFFF));
     draw_title(canvas);
     if (!(record_.seconds() > 0))
-      return canvas.text({speed_page_width / 2, speed_page_height / 2}, said(texts::picture::no_motion),
+      return canvas.text({speed_page_width / 2, speed_page_height / 2}, phrase(texts::picture::no_motion),
                          {22, faint_ink, Align::centre, false});
     draw_speed(canvas, {left, top, width, speed_height});
     const double second = top + speed_height + speed_gap, third = second + share_height + speed_gap, ribbon = third + share_height + 10;
-    draw_shares(canvas, {left, second, width, share_height}, said(texts::speed_page::acceleration), &Column::acceleration);
-    draw_shares(canvas, {left, third, width, share_height}, said(texts::speed_page::jerk), &Column::jerk);
+    draw_shares(canvas, {left, second, width, share_height}, phrase(texts::speed_page::acceleration), &Column::acceleration);
+    draw_shares(canvas, {left, third, width, share_height}, phrase(texts::speed_page::jerk), &Column::jerk);
     draw_ribbon(canvas, {left, ribbon, width, ribbon_height});
     draw_time(canvas, ribbon + ribbon_height);
     draw_legend(canvas, speed_page_height - 20);
@@ -65,8 +65,8 @@ class SpeedPage {
  private:
   static constexpr double width = speed_page_width - left - speed_page_margin;
 
-  const char* said(PlainText text) const { return plain_text(text, title_.lang); }
-  const char* name_of(On on) const { return said(names_of_time[static_cast<std::size_t>(on)]); }
+  const char* phrase(PlainText text) const { return plain_text(text, title_.lang); }
+  const char* name_of(On on) const { return phrase(names_of_time[static_cast<std::size_t>(on)]); }
 
   double x_of(double seconds) const { return left + width * std::min(1.0, seconds / record_.seconds()); }
   double x_of_column(std::size_t i) const { return x_of(static_cast<double>(i) * record_.width()); }
@@ -173,7 +173,7 @@ class SpeedPage {
                               number_text(speed * per_minute_, per_minute_ < 60 ? 1 : 0), speed_unit_name(title_.unit, title_.lang));
     };
     note(name_of(On::rapid), record_.rapid());
-    note(said(texts::speed_page::programmed_feed), feed_);
+    note(phrase(texts::speed_page::programmed_feed), feed_);
     canvas.text({area.right(), area.y - 9}, beyond, {13, colour(0xB04A00), Align::right, false});
   }
 
@@ -219,7 +219,7 @@ class SpeedPage {
         canvas.text({x, y + 37}, translated_in(title_.lang, texts::speed_page::line, columns_[i].line),
                     {11, faint_ink, Align::centre, false});
     }
-    canvas.text({left - 28, y + 20}, said(minutes ? texts::speed_page::minutes_and_seconds : texts::speed_page::seconds),
+    canvas.text({left - 28, y + 20}, phrase(minutes ? texts::speed_page::minutes_and_seconds : texts::speed_page::seconds),
                 {12, ink, Align::right, true});
   }
 
@@ -244,9 +244,9 @@ class SpeedPage {
       x += 30 + text_width(name, style.size) + 24;
     };
     for (const On on : {On::cutting, On::rapid, On::dwell, On::tool_change}) entry(ink_of(on), name_of(on), 11);
-    entry(feed_ink, said(texts::speed_page::programmed_feed), 3);
+    entry(feed_ink, phrase(texts::speed_page::programmed_feed), 3);
     x += 30;
-    const char* const nearest = said(texts::speed_page::nearest_axis);
+    const char* const nearest = phrase(texts::speed_page::nearest_axis);
     canvas.text({x, y}, nearest, style);
     x += text_width(nearest, style.size) + 14;
     for (std::size_t axis = 0; axis < axes_.size(); ++axis)
@@ -274,7 +274,7 @@ class SpeedPage {
 tl::expected<void, std::string> draw_speed_page(const ResultFile& file, const SpeedRecord& record, const std::vector<std::string>& axes,
                                                 const PlotTitle& title) {
   const SpeedPage page(record, axes, title);
-  return write_page(file, speed_page_width, speed_page_height, page.says(), [&](Canvas& canvas) { page.draw(canvas); });
+  return write_page(file, speed_page_width, speed_page_height, page.page_text(), [&](Canvas& canvas) { page.draw(canvas); });
 }
 
 }  // namespace kadr

@@ -50,14 +50,14 @@ std::string ink_attributes(const char* what, Colour ink) {
 
 }  // namespace
 
-SvgCanvas::SvgCanvas(std::FILE* file, double width, double height, const PageText& says) : text_(file) {
+SvgCanvas::SvgCanvas(std::FILE* file, double width, double height, const PageText& page_text) : text_(file) {
   put(
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" xml:lang=\"{2}\""
                   " font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-                  svg_number(width), svg_number(height), id_of(says.lang)));
-  put_element("title", says.title);
-  put_element("desc", says.description);
+                  svg_number(width), svg_number(height), id_of(page_text.lang)));
+  put_element("title", page_text.title);
+  put_element("desc", page_text.description);
 }
 
 int SvgCanvas::finish() {

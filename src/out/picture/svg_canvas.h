@@ -21,7 +21,7 @@ struct PageText {
 
 class SvgCanvas final : public Canvas {
  public:
-  SvgCanvas(std::FILE* file, double width, double height, const PageText& says);
+  SvgCanvas(std::FILE* file, double width, double height, const PageText& page_text);
   ~SvgCanvas() override { finish(); }
 
   /// Writes the end of the page. Returns the errno of a write error; 0 if there was no error.

@@ -25,16 +25,16 @@ void ToolDirections::take(const Step& step, Vec3 shift) {
   const WorkTransform* const space = step.from.space.get();
   if (space == nullptr || !space->has_rotary()) return;
   const Curve& curve = step.curve();
-  const double length = curve.length(), begins = way_;
-  way_ += length;
+  const double length = curve.length(), begins = travelled_;
+  travelled_ += length;
   constexpr int most_of_one = 2000;
-  for (int i = 0; i < most_of_one && next_ <= way_; ++i) {
+  for (int i = 0; i < most_of_one && next_ <= travelled_; ++i) {
     const double part = length > 0 ? std::clamp((next_ - begins) / length, 0.0, 1.0) : 1;
     const Pose pose = space->pose(machine_along(step.roles, step.from, motion, curve.at(part), part));
     next_ += step_;
     keep({pose.tip + shift, pose.direction});
   }
-  next_ = std::max(next_, way_ - step_);
+  next_ = std::max(next_, travelled_ - step_);
 }
 
 }  // namespace kadr

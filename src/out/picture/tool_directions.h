@@ -32,7 +32,7 @@ class ToolDirections {
   std::size_t most_;
   std::vector<ToolDirection> all_;
   // mm: distance between stored directions; length of the path so far; length of the path at which the next direction is stored
-  double step_ = 0.25, way_ = 0, next_ = 0;
+  double step_ = 0.25, travelled_ = 0, next_ = 0;
   bool leans_ = false;
 };
 

@@ -22,23 +22,23 @@ std::string machine_code_text(const ControlDef& def, std::uint32_t code) {
   return fmt::format("M{:0{}}", code, std::max<std::size_t>(def.grammar.word('M').code_digits, 1));
 }
 
-const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<Wanted> wanted) {
-  for (const auto& [function, arg] : wanted)
+const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<FunctionArg> functions) {
+  for (const auto& [function, arg] : functions)
     for (const CodeRow& row : def.codes)
       if (row.function == function && (arg == any_argument || row.arg == arg) && row.works && row.cycle == 0) return &row;
   return nullptr;
 }
 
-std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<Wanted> wanted) {
-  const CodeRow* const row = row_that_does(def, wanted);
+std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<FunctionArg> functions) {
+  const CodeRow* const row = row_that_does(def, functions);
   return row == nullptr ? std::nullopt : std::optional(with_digits(def, *row));
 }
 
-std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double wanted) {
+std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double limit) {
   std::optional<double> best;
   double most = 0;
   for (const auto& [code, value] : codes)
-    if (value > most && value <= wanted * (1 + tol::whole_number)) most = value, best = code;
+    if (value > most && value <= limit * (1 + tol::whole_number)) most = value, best = code;
   return best;
 }
 

@@ -14,7 +14,7 @@ namespace kadr {
 
 inline constexpr int any_argument = -1;
 /// A function and its variant (CodeRow::arg). The variant any_argument stands for every variant.
-using Wanted = std::pair<Function, int>;
+using FunctionArg = std::pair<Function, int>;
 
 /// Returns the code of the row with as many digits as the control prints, e.g. G01 (spec/gost 3: 3G2).
 std::string with_digits(const ControlDef& def, const CodeRow& row);
@@ -24,13 +24,13 @@ std::string machine_code_text(const ControlDef& def, std::uint32_t code);
 
 /// Returns the first row of the control's code table that has one of the wanted functions and that Kadr implements (CodeRow::works). The
 /// functions are tried in the given order. Returns nullptr if no row matches.
-const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<Wanted> wanted);
+const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<FunctionArg> functions);
 
 /// Like row_that_does(), but returns the text of the code with the digits of the control; nullopt if no row matches.
-std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<Wanted> wanted);
+std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<FunctionArg> functions);
 
-/// Returns the code of the highest feed or speed that does not exceed `wanted`. `codes`: table of codes and their values (spec/gost 3).
+/// Returns the code of the highest feed or speed that does not exceed `limit`. `codes`: table of codes and their values (spec/gost 3).
 /// Returns nullopt if all values are greater.
-std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double wanted);
+std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double limit);
 
 }  // namespace kadr

@@ -41,13 +41,13 @@ class ProgramWriter {
   }
 
  private:
-  Status need(std::initializer_list<Wanted> functions, std::string& block) {
+  Status need(std::initializer_list<FunctionArg> functions, std::string& block) {
     const auto code = code_of(def_, functions);
     if (!code) return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(functions.begin()->first).name));
     add(block, *code);
     return {};
   }
-  void want(std::initializer_list<Wanted> functions, std::string& block) {
+  void want(std::initializer_list<FunctionArg> functions, std::string& block) {
     if (const auto code = code_of(def_, functions)) add(block, *code);
   }
   static void add(std::string& block, std::string_view word) {

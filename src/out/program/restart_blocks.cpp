@@ -45,7 +45,7 @@ char letter_of(Kind kind) { return kind == Kind::offset ? 'D' : kind == Kind::le
 
 class RestartWriter {
  public:
-  RestartWriter(const ControlDef& def, bool inch, bool has_way) : def_(def), inch_(inch), has_way_(has_way) {}
+  RestartWriter(const ControlDef& def, bool inch, bool has_motion) : def_(def), inch_(inch), has_motion_(has_motion) {}
 
   void by_hand(const InForce& one) { made_.by_hand.push_back(one); }
   void add(const std::string& word) { line_ += (line_.empty() ? "" : " ") + word; }
@@ -93,11 +93,11 @@ class RestartWriter {
       const bool takes = letter != 0 && ((row->takes & letter_bit(letter)) != 0 || (letter == 'H' && row->phase == Phase::length));
       if (!takes || offset.value == 0 || !knows(letter)) continue;
       KADR_TRY(word(letter, offset.value));
-      said_ |= letter_bit(letter);
+      written_letters_ |= letter_bit(letter);
     }
     // Some controls accept a tool length only with a motion of the tool axis. Therefore the words are written in the first block with such
     // a motion.
-    if (row->phase == Phase::length && has_way_) with_way_ = std::exchange(line_, {});
+    if (row->phase == Phase::length && has_motion_) with_motion_ = std::exchange(line_, {});
     end();
     return {};
   }
@@ -106,9 +106,9 @@ class RestartWriter {
     return row != nullptr && (row->function == Function::inch || row->function == Function::millimetre);
   }
   /// True if the words already written include this letter, in the block of the code that uses the letter.
-  bool has_written(char letter) const { return (said_ & letter_bit(letter)) != 0; }
-  Status way(const BlockMove& to) {
-    if (to.along_tool && !with_way_.empty()) add(std::exchange(with_way_, {}));
+  bool has_written(char letter) const { return (written_letters_ & letter_bit(letter)) != 0; }
+  Status motion(const BlockMove& to) {
+    if (to.along_tool && !with_motion_.empty()) add(std::exchange(with_motion_, {}));
     if (const CodeRow* const row = row_of(def_, to.rapid ? Function::rapid : Function::linear)) add(row->code);
     for (const auto& [letter, value] : to.to) KADR_TRY(word(letter, value));
     if (!to.rapid) KADR_TRY(word('F', to.feed));
@@ -121,15 +121,15 @@ class RestartWriter {
   bool is_length(char letter) const { return letter == 'F' || def_.address(letter).unit == WordUnit::length; }
 
   const ControlDef& def_;
-  bool inch_, has_way_;
-  std::string with_way_;    // words for the first block that moves along the tool axis
-  std::uint64_t said_ = 0;  // bit set of the address letters already written
+  bool inch_, has_motion_;
+  std::string with_motion_;            // words for the first block that moves along the tool axis
+  std::uint64_t written_letters_ = 0;  // bit set of the address letters already written
   std::string line_;
   RestartBlocks made_;
 };
 
-bool is_set(const std::vector<InForce>& wanted, const ControlDef& def, Function function) {
-  return std::any_of(wanted.begin(), wanted.end(), [&](const InForce& one) {
+bool is_set(const std::vector<InForce>& required, const ControlDef& def, Function function) {
+  return std::any_of(required.begin(), required.end(), [&](const InForce& one) {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
     return row != nullptr && row->function == function;
   });
@@ -188,18 +188,18 @@ Status write_technology(RestartWriter& writer, const InForce& one, const std::ve
 
 }  // namespace
 
-Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<InForce>& wanted, const std::vector<InForce>& in_force,
-                                     const std::vector<BlockMove>& way) {
-  RestartWriter writer(def, is_set(in_force, def, Function::inch), !way.empty());
-  for (const InForce& one : wanted)
+Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<InForce>& required, const std::vector<InForce>& in_force,
+                                     const std::vector<BlockMove>& path) {
+  RestartWriter writer(def, is_set(in_force, def, Function::inch), !path.empty());
+  for (const InForce& one : required)
     if (writer.is_unit(one)) writer.line(one.code);
-  for (const InForce& one : wanted) {
+  for (const InForce& one : required) {
     if (one.kind != Kind::variable) continue;
     // Variables are set before the motions, since some of them may be work offsets.
     if (one.name.starts_with('#') && def.grammar.expressions) writer.line(fmt::format("{}={:.9g}", one.name, one.value));
     else writer.by_hand(one);
   }
-  std::vector<InForce> sorted = wanted;
+  std::vector<InForce> sorted = required;
   std::stable_sort(sorted.begin(), sorted.end(), [&](const InForce& a, const InForce& b) { return comes_before(def, a, b); });
   for (const Kind kind : {Kind::tool, Kind::speed, Kind::code, Kind::offset, Kind::length_offset, Kind::spindle, Kind::coolant})
     for (const InForce& one : sorted) {
@@ -207,9 +207,9 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
       if ((kind == Kind::spindle || kind == Kind::coolant) && is_written_by_group(one, in_force, def)) continue;
       KADR_TRY(write_technology(writer, one, in_force));
     }
-  if (!way.empty())
+  if (!path.empty())
     if (const CodeRow* const absolute = row_of(def, Function::absolute)) writer.line(absolute->code);
-  for (const BlockMove& to : way) KADR_TRY(writer.way(to));
+  for (const BlockMove& to : path) KADR_TRY(writer.motion(to));
   for (const InForce& one : in_force) {  // the motions may have changed these codes and the feed, so they are written again
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
     if (row != nullptr && (is_line(*row) || is_distance(*row))) writer.line(one.code);
@@ -218,7 +218,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
       writer.end();
     }
   }
-  for (const InForce& one : wanted) {
+  for (const InForce& one : required) {
     // false: the word H has already applied the tool length
     const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_written('H'));
     const bool next_tool = one.kind == Kind::selected && !is_in_spindle(one, in_force);

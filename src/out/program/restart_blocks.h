@@ -25,10 +25,10 @@ struct RestartBlocks {
 
 /// Writes the blocks in this order: unit, variables, tool, speed, codes in the order of their groups, offsets, spindle, coolant, the
 /// motions to the position. At the end come the modes that those motions have changed.
-///   wanted    the state to be set: the Difference::wanted of each difference
+///   required  the state to be set: the Difference::required of each difference
 ///   in_force  Restart::in_force
 ///   alarms    word_has_no_room
-Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<InForce>& wanted, const std::vector<InForce>& in_force,
-                                     const std::vector<BlockMove>& way);
+Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<InForce>& required, const std::vector<InForce>& in_force,
+                                     const std::vector<BlockMove>& path);
 
 }  // namespace kadr

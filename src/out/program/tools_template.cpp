@@ -28,17 +28,17 @@ class RowText {
     if (!row_.why.empty()) at += "; " + translated_in(lang_, texts::tools_template::proposed_from, one_line(row_.why));
     if (!row_.not_sure.empty()) at += "; " + translated_in(lang_, texts::tools_template::not_sure, one_line(row_.not_sure));
     line(fmt::format("number = {}", row_.number), at);
-    const ToolComment said = row_.said.value_or(ToolComment{});
-    const std::string_view kind = kind_word(said);
-    if (kind.empty()) wanted("kind = \"\"", "flat, ball, bull, drill, taper, chamfer, tslot, form");
+    const ToolComment tool_data = row_.tool_data.value_or(ToolComment{});
+    const std::string_view kind = kind_word(tool_data);
+    if (kind.empty()) missing_line("kind = \"\"", "flat, ball, bull, drill, taper, chamfer, tslot, form");
     else line(fmt::format("kind = \"{}\"", kind));
-    number("diameter", said.diameter, in_words(texts::tools_template::diameter));
-    if (kind == "bull") number("corner", said.corner, "");
-    if (kind == "drill" || kind == "chamfer") number("angle", said.angle, in_words(texts::tools_template::whole_angle));
-    if (kind == "taper") number("angle", half(said.angle), in_words(texts::tools_template::half_angle));
-    wanted("flute_length = ", in_words(texts::tools_template::flute_length));
-    wanted("length = ", in_words(texts::tools_template::stick_out));
-    wanted("holder = [[32, 0], [40, 45]]", in_words(texts::tools_template::holder));
+    number("diameter", tool_data.diameter, in_words(texts::tools_template::diameter));
+    if (kind == "bull") number("corner", tool_data.corner, "");
+    if (kind == "drill" || kind == "chamfer") number("angle", tool_data.angle, in_words(texts::tools_template::whole_angle));
+    if (kind == "taper") number("angle", half(tool_data.angle), in_words(texts::tools_template::half_angle));
+    missing_line("flute_length = ", in_words(texts::tools_template::flute_length));
+    missing_line("length = ", in_words(texts::tools_template::stick_out));
+    missing_line("holder = [[32, 0], [40, 45]]", in_words(texts::tools_template::holder));
     return std::move(text_);
   }
 
@@ -49,10 +49,10 @@ class RowText {
   void line(const std::string& what, const std::string& comment = {}) {
     text_ += comment.empty() ? what + "\n" : fmt::format("{:<{}} # {}\n", what, comments_at, comment);
   }
-  void wanted(const std::string& what, const char* comment) { line("# " + what, comment); }
+  void missing_line(const std::string& what, const char* comment) { line("# " + what, comment); }
   void number(const char* key, std::optional<double> value, const char* comment) {
     if (value) line(fmt::format("{} = {}", key, number_text(*value)));
-    else wanted(fmt::format("{} = ", key), comment);
+    else missing_line(fmt::format("{} = ", key), comment);
   }
 
   const ToolsTemplate::Row& row_;
@@ -62,13 +62,13 @@ class RowText {
 
 }  // namespace
 
-const char* kind_word(const ToolComment& said) {
-  switch (said.kind) {
+const char* kind_word(const ToolComment& tool_data) {
+  switch (tool_data.kind) {
     case ToolWord::ball: return "ball";
     case ToolWord::drill: return "drill";
     case ToolWord::chamfer: return "chamfer";
     case ToolWord::taper: return "taper";
-    case ToolWord::mill: return said.corner.value_or(0) > 0 ? "bull" : "flat";
+    case ToolWord::mill: return tool_data.corner.value_or(0) > 0 ? "bull" : "flat";
     case ToolWord::none:
     case ToolWord::tap:
     case ToolWord::reamer: return "";

@@ -15,10 +15,10 @@ namespace kadr {
 struct ToolsTemplate {
   struct Row {
     std::uint32_t number = 0;
-    Origin called;                    // location of the block that calls the tool first
-    std::optional<ToolComment> said;  // data from the comment that describes the tool; nullopt: no comment describes the tool
-    std::string why;                  // line number and text of the comment from which `said` comes
-    std::string not_sure;             // text of a comment that mentions the tool but states no certain dimension
+    Origin called;                         // location of the block that calls the tool first
+    std::optional<ToolComment> tool_data;  // data from the comment that describes the tool; nullopt: no comment describes the tool
+    std::string why;                       // line number and text of the comment from which `tool_data` comes
+    std::string not_sure;                  // text of a comment that mentions the tool but states no certain dimension
   };
   std::string program;
   Lang lang = Lang::en;
@@ -26,7 +26,7 @@ struct ToolsTemplate {
 };
 
 /// Returns the key word of a tools file for the type of tool that the comment describes; empty if the type is uncertain.
-const char* kind_word(const ToolComment& said);
+const char* kind_word(const ToolComment& tool_data);
 
 /// Returns the text of the tools file in TOML (docs/commands/cut.md, "Tools"). A key without a known value is written as a TOML comment.
 /// Until the user completes the key, Kadr refuses the file with an error that names the tool and the key.

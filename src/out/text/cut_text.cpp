@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double told_from = 0.05;  // least time in the air that is printed, s; a shorter time would be rounded to 0.0
+constexpr double least_reported = 0.05;  // least time in the air that is printed, s; a shorter time would be rounded to 0.0
 
 /// Rounds a value in mm or mm³ to three decimals, since further decimals are not significant.
 double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
@@ -102,7 +102,7 @@ std::string cut_caption(const CutResult& r, Lang lang) {
 }
 
 std::string cut_summary(const CutResult& r, Lang lang) {
-  const auto row = [&](PlainText name, const std::string& says) { return summary_row(plain_text(name, lang), says); };
+  const auto row = [&](PlainText name, const std::string& value) { return summary_row(plain_text(name, lang), value); };
   const auto volume = [&](double v) { return translated_in(lang, texts::cut_summary::volume_within, v, r.error_bound); };
   std::string text = row(texts::cut_summary::cell, translated_in(lang, texts::cut_summary::length, r.cell)) +
                      row(texts::cut_summary::blank, translated_in(lang, texts::cut_summary::volume, r.stock)) +
@@ -111,8 +111,8 @@ std::string cut_summary(const CutResult& r, Lang lang) {
     text += row(texts::cut_summary::window, translated_in(lang, texts::cut_summary::window_volumes, in->cell, in->stock, in->left,
                                                           in->error_bound, in->stock - in->left, in->error_bound));
   const char* name = plain_text(texts::cut_summary::tools, lang);
-  const auto next_of_list = [&](const std::string& says) {
-    text += summary_row(name, says);
+  const auto next_of_list = [&](const std::string& value) {
+    text += summary_row(name, value);
     name = "";
   };
   for (const ToolRemoval& t : r.tools)
@@ -123,7 +123,7 @@ std::string cut_summary(const CutResult& r, Lang lang) {
   for (const BlockLoad& load : r.heaviest) next_of_list(load_words(load, lang));
   name = plain_text(texts::cut_summary::in_the_air, lang);
   for (const AirCut& air : r.emptiest)
-    if (air.seconds >= told_from) next_of_list(air_words(air, lang));
+    if (air.seconds >= least_reported) next_of_list(air_words(air, lang));
   const std::size_t count = r.collisions.size() + r.not_listed;
   if (r.part)
     text += difference_row(texts::cut_summary::left_on, r.part->left_on, lang) +

@@ -70,8 +70,8 @@ std::string in_force_text(const std::vector<InForce>& all, Lang lang, const std:
     std::string line;
     std::size_t count = 0;
     const auto belongs = [&](const InForce& one) { return std::find(row.kinds.begin(), row.kinds.end(), one.kind) != row.kinds.end(); };
-    const auto says_something = [&](const InForce& one) { return belongs(one) && (one.kind != Kind::length || one.value != 0); };
-    if (std::none_of(all.begin(), all.end(), says_something)) continue;
+    const auto is_shown = [&](const InForce& one) { return belongs(one) && (one.kind != Kind::length || one.value != 0); };
+    if (std::none_of(all.begin(), all.end(), is_shown)) continue;
     for (const InForce& one : all) {
       if (!belongs(one) || ++count > most) continue;
       line += " " + written(one);

@@ -24,9 +24,9 @@ cairo_status_t write_bytes(void* file, const unsigned char* bytes, unsigned coun
   return std::fwrite(bytes, 1, count, static_cast<std::FILE*>(file)) == count ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
 }
 
-tl::expected<void, std::string> write_svg(const ResultFile& file, double width, double height, const PageText& says,
+tl::expected<void, std::string> write_svg(const ResultFile& file, double width, double height, const PageText& page_text,
                                           const std::function<void(Canvas&)>& draw) {
-  SvgCanvas canvas(file.get(), width, height, says);
+  SvgCanvas canvas(file.get(), width, height, page_text);
   draw(canvas);
   if (const int error = canvas.finish(); error != 0) return tl::unexpected(file.name() + ": " + errno_message(error));
   return {};
@@ -54,14 +54,14 @@ tl::expected<void, std::string> write_png(const ResultFile& file, double width, 
 
 }  // namespace
 
-std::string svg_page(double width, double height, const PageText& says, const std::function<void(Canvas&)>& draw) {
+std::string svg_page(double width, double height, const PageText& page_text, const std::function<void(Canvas&)>& draw) {
   char* text = nullptr;
   std::size_t size = 0;
   std::FILE* const file = ::open_memstream(&text, &size);
   if (file == nullptr) return {};
   int error = 0;
   {
-    SvgCanvas canvas(file, width, height, says);
+    SvgCanvas canvas(file, width, height, page_text);
     draw(canvas);
     error = canvas.finish();
   }
@@ -78,10 +78,10 @@ std::string page_fault(const std::string& file) {
   return {};
 }
 
-tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const PageText& says,
+tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const PageText& page_text,
                                            const std::function<void(Canvas&)>& draw) {
   if (std::string fault = page_fault(file.name()); !fault.empty()) return tl::unexpected(fault);
-  return is_svg(file.name()) ? write_svg(file, width, height, says, draw) : write_png(file, width, height, draw);
+  return is_svg(file.name()) ? write_svg(file, width, height, page_text, draw) : write_png(file, width, height, draw);
 }
 
 }  // namespace kadr

@@ -13,11 +13,11 @@ namespace kadr {
 /// Draws the page. The ending of the file's name (.svg, .png) selects the format. `width`, `height`: size of the page, in its units.
 /// Afterwards the caller must call ResultFile::keep().
 ///   returns  an error sentence if the page cannot be drawn
-tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const PageText& says,
+tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const PageText& page_text,
                                            const std::function<void(Canvas&)>& draw);
 
 /// Returns the page as SVG; empty if the memory was not sufficient.
-std::string svg_page(double width, double height, const PageText& says, const std::function<void(Canvas&)>& draw);
+std::string svg_page(double width, double height, const PageText& page_text, const std::function<void(Canvas&)>& draw);
 
 /// True if the file name ends in .svg or .png.
 bool is_page_name(const std::string& file);

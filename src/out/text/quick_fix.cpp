@@ -27,9 +27,9 @@ Span whole_word(std::string_view line, std::uint32_t begin) {
 
 /// Extends the span of a word that is to be removed by one of the blanks next to the word.
 Span with_a_blank(std::string_view line, Span word) {
-  const bool behind = word.end < line.size() && line[word.end] == ' ', before = word.begin > 0 && line[word.begin - 1] == ' ';
-  if (before && (behind || word.end >= without_trailing_blanks(line))) --word.begin;
-  else if (behind && word.begin == 0) ++word.end;
+  const bool after = word.end < line.size() && line[word.end] == ' ', before = word.begin > 0 && line[word.begin - 1] == ' ';
+  if (before && (after || word.end >= without_trailing_blanks(line))) --word.begin;
+  else if (after && word.begin == 0) ++word.end;
   return word;
 }
 

@@ -10,8 +10,8 @@
 
 namespace kadr {
 
-std::string orientation_in_words(TapeOrientation lie, Lang lang) {
-  switch (lie) {
+std::string orientation_in_words(TapeOrientation orientation, Lang lang) {
+  switch (orientation) {
     case TapeOrientation::wrong_end: return plain_text(texts::tape_text::from_wrong_end, lang);
     case TapeOrientation::wrong_side: return plain_text(texts::tape_text::from_wrong_side, lang);
     default: return plain_text(texts::tape_text::from_wrong_end_and_side, lang);

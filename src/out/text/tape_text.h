@@ -10,7 +10,7 @@
 namespace kadr {
 
 /// Returns the orientation of the tape in words, e.g. "read from its wrong end: turned".
-std::string orientation_in_words(TapeOrientation lie, Lang lang);
+std::string orientation_in_words(TapeOrientation orientation, Lang lang);
 
 /// Returns the fault in words, e.g. "row 241: parity error (byte 100)". The byte is an octal number.
 std::string fault_in_words(const TapeFault& fault, TapeCode code, Lang lang);

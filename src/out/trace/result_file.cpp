@@ -32,7 +32,7 @@ struct UnfinishedFiles {
   std::mutex lock;
   std::set<std::string> names;
 };
-UnfinishedFiles& under_way() {
+UnfinishedFiles& unfinished_files() {
   static auto* const files = new UnfinishedFiles;  // never freed, since discard_all() may be called while the process ends
   return *files;
 }
@@ -87,7 +87,7 @@ ResultFile& ResultFile::operator=(ResultFile&& other) noexcept {
   discard();
   name_ = std::move(other.name_);
   place_ = std::exchange(other.place_, {});
-  beside_ = std::exchange(other.beside_, {});
+  temporary_ = std::exchange(other.temporary_, {});
   file_ = std::exchange(other.file_, nullptr);
   owned_ = std::exchange(other.owned_, false);
   return *this;
@@ -118,12 +118,12 @@ tl::expected<void, std::string> ResultFile::open_temporary() {
   struct stat there {};
   const bool exists = ::stat(place_.c_str(), &there) == 0;
   if (exists && ::access(place_.c_str(), W_OK) != 0) return tl::unexpected(sentence(name_, errno));
-  UnfinishedFiles& files = under_way();
+  UnfinishedFiles& files = unfinished_files();
   const std::lock_guard guard(files.lock);
-  int file = make_in(fs::path(place_).parent_path(), beside_);
-  if (file < 0 && exists) file = make_in(fs::temp_directory_path(), beside_);
+  int file = make_in(fs::path(place_).parent_path(), temporary_);
+  if (file < 0 && exists) file = make_in(fs::temp_directory_path(), temporary_);
   if (file < 0) return tl::unexpected(sentence(name_, errno));
-  files.names.insert(beside_);
+  files.names.insert(temporary_);
   constexpr mode_t all_rights = 07777;
   // the result is ignored: if the system refuses, the file has the permissions of a new file
   if (exists) (void)::fchmod(file, there.st_mode & all_rights);
@@ -132,14 +132,14 @@ tl::expected<void, std::string> ResultFile::open_temporary() {
   return {};
 }
 
-bool ResultFile::take_place() const { return std::rename(beside_.c_str(), place_.c_str()) == 0 || copy(beside_, place_); }
+bool ResultFile::take_place() const { return std::rename(temporary_.c_str(), place_.c_str()) == 0 || copy(temporary_, place_); }
 
 tl::expected<void, std::string> ResultFile::keep() {
   if (file_ == nullptr) return {};
   int error = error_of(file_);
   if (owned_ && std::fclose(file_) != 0 && error == 0) error = errno;
   file_ = nullptr;
-  if (error == 0 && !beside_.empty() && !take_place()) error = errno != 0 ? errno : EIO;
+  if (error == 0 && !temporary_.empty() && !take_place()) error = errno != 0 ? errno : EIO;
   discard();
   if (error == 0) return {};
   return tl::unexpected(error == EPIPE ? std::string() : sentence(name_ == "-" ? "standard output" : name_, error));
@@ -148,15 +148,15 @@ tl::expected<void, std::string> ResultFile::keep() {
 void ResultFile::discard() {
   if (file_ != nullptr && owned_) std::fclose(file_);
   file_ = nullptr;
-  if (beside_.empty()) return;
-  UnfinishedFiles& files = under_way();
+  if (temporary_.empty()) return;
+  UnfinishedFiles& files = unfinished_files();
   const std::lock_guard guard(files.lock);
-  if (files.names.erase(beside_) != 0) (void)::unlink(beside_.c_str());
-  beside_.clear();
+  if (files.names.erase(temporary_) != 0) (void)::unlink(temporary_.c_str());
+  temporary_.clear();
 }
 
 void ResultFile::discard_all() {
-  UnfinishedFiles& files = under_way();
+  UnfinishedFiles& files = unfinished_files();
   // The lock is never released, since the process ends. The wait is limited, since a signal handler may call this function while the thread
   // that it has interrupted holds the lock.
   constexpr int max_polls = 100;

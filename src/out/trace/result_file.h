@@ -44,8 +44,8 @@ class ResultFile {
   bool take_place() const;
 
   std::string name_;
-  std::string place_;   // final path of the file, with links resolved; empty: the data is written directly to the file
-  std::string beside_;  // path of the temporary file, until keep() moves it
+  std::string place_;      // final path of the file, with links resolved; empty: the data is written directly to the file
+  std::string temporary_;  // path of the temporary file, until keep() moves it
   std::FILE* file_ = nullptr;
   bool owned_ = false;  // false: the stream is a standard stream, which must not be closed
 };

@@ -67,12 +67,12 @@ void SampleWriter::write_tip(const double* at) {
   if (from.space && from.space->has_rotary()) {
     pose = from.space->pose(machine);
   } else {
-    Axes way{};
-    for (std::size_t a = 0; a < axes_; ++a) way[a] = machine[a] - from.machine[a];
-    if (from.turn) way = turned_back_axes(*from.turn, way);
-    for (std::size_t a = 0; a < axes_; ++a) way[a] += from.work[a];
-    if (from.space) way = from.space->in_system(way);
-    const auto of = [&](std::size_t i) { return roles_.xyz[i] < 0 ? 0.0 : way[static_cast<std::size_t>(roles_.xyz[i])]; };
+    Axes work{};
+    for (std::size_t a = 0; a < axes_; ++a) work[a] = machine[a] - from.machine[a];
+    if (from.turn) work = turned_back_axes(*from.turn, work);
+    for (std::size_t a = 0; a < axes_; ++a) work[a] += from.work[a];
+    if (from.space) work = from.space->in_system(work);
+    const auto of = [&](std::size_t i) { return roles_.xyz[i] < 0 ? 0.0 : work[static_cast<std::size_t>(roles_.xyz[i])]; };
     pose.tip = {of(0), of(1), of(2)};
   }
   fmt::format_to(std::back_inserter(tip_text_), "{:.6f}", static_cast<double>(instant_) * period_);
@@ -83,7 +83,7 @@ void SampleWriter::write_tip(const double* at) {
 
 bool SampleWriter::halted() {
   if (ended_ != SampleEnd::none) return true;
-  if (options_.stop.asked()) ended_ = SampleEnd::stopped;
+  if (options_.stop.requested()) ended_ = SampleEnd::stopped;
   else if (static_cast<double>(instant_) * period_ > options_.max_time) ended_ = SampleEnd::max_time;
   return ended_ != SampleEnd::none || !ok();
 }

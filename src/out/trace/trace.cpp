@@ -35,8 +35,8 @@ char* put_field(char* at, std::string_view key, double value) { return put_numbe
 
 /// Returns the work coordinates of the tool at the fraction `part` of the motion. `work`: the point of the motion's curve there.
 Axes tool_at(const Motion& motion, double part, const Axes& work) {
-  const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
-  return way != nullptr ? way->at(part, work) : work;
+  const TipPath* const tip_path = motion.detail ? motion.detail->tip_path.get() : nullptr;
+  return tip_path != nullptr ? tip_path->at(part, work) : work;
 }
 
 /// Returns a control's alarm number as a JSON number if it consists of digits, otherwise as a JSON string.
@@ -156,8 +156,8 @@ void TraceWriter::write_space(const Place& at_place) {
   const Pose pose = space.pose(machine);
   at = put_vector(at, R"(,"tip":)", pose.tip);
   at = put_vector(at, R"(,"tool_dir":)", pose.direction);
-  const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
-  if (const Vec3 normal = way != nullptr ? way->normal(part) : Vec3{}; !(normal == Vec3{})) {
+  const TipPath* const tip_path = motion.detail ? motion.detail->tip_path.get() : nullptr;
+  if (const Vec3 normal = tip_path != nullptr ? tip_path->normal(part) : Vec3{}; !(normal == Vec3{})) {
     const auto of = [this, &at_work = work](std::size_t i) {
       return roles_.xyz[i] < 0 ? 0.0 : at_work[static_cast<std::size_t>(roles_.xyz[i])];
     };
@@ -261,7 +261,7 @@ void TraceWriter::write_state(const FinalState& ending, const LastLine& more) {
     first = false;
   };
   for (const auto& [name, value] : ending.variables) variable(name, number_string(value));
-  for (const auto& [name, asked] : ending.watched_unset) variable(name, "null");
+  for (const auto& [name, watched] : ending.watched_unset) variable(name, "null");
   out_.append(R"(},"modal":[)");
   for (std::size_t i = 0; i < ending.modal.size(); ++i) {
     if (i > 0) out_.append(",");

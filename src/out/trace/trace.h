@@ -27,7 +27,7 @@ class TraceWriter {
   void set_channel(int channel, bool writes_program_ends = true) { channel_ = channel, writes_program_ends_ = writes_program_ends; }
   /// True if the previous step was a probe motion. Then the trace line of the next motion also contains how far each axis moves.
   bool after_probe() const { return after_probe_; }
-  void go_on_behind_probe(bool is) { after_probe_ = is; }
+  void continue_after_probe(bool is) { after_probe_ = is; }
   void flush() { out_.flush(); }
 
   /// Writes the line of a step. A FrameChange or ZoneChange has no line. The line of a motion without a computed time contains no length,

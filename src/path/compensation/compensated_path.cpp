@@ -128,13 +128,13 @@ bool RadiusCompensation::let_go(Held& held) {
 bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) const {
   const ContourElement& e = held.element;
   const Vec2 a = e.from + held.start_vector, b = e.to + end_vector, chord = b - a;
-  const double way = length(chord), radius = e.start_radius;
-  if (way > 2 * radius + tol::same_point || way == 0) return false;
-  const double height = std::sqrt(std::max(radius * radius - way * way / 4, 0.0));
+  const double chord_length = length(chord), radius = e.start_radius;
+  if (chord_length > 2 * radius + tol::same_point || chord_length == 0) return false;
+  const double height = std::sqrt(std::max(radius * radius - chord_length * chord_length / 4, 0.0));
   // INFERRED: the arc is at most half a circle if the programmed arc is at most half a circle; otherwise it is more than half a circle.
   const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;
-  const Vec2 center = 0.5 * (a + b) + minor * e.sense() * height / way * left_of(chord);
-  const double half = std::asin(std::min(way / (2 * radius), 1.0)) / rad_per_deg / 180;
+  const Vec2 center = 0.5 * (a + b) + minor * e.sense() * height / chord_length * left_of(chord);
+  const double half = std::asin(std::min(chord_length / (2 * radius), 1.0)) / rad_per_deg / 180;
   m.turns = minor > 0 ? half : 1 - half;
   m.center = center;
   return true;
@@ -147,9 +147,9 @@ void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like
   const bool cw = like.side > 0;
   const double turns = (cw ? -swept : swept) / 360;
   const Vec2 point = in_plane(now_.stand.work);
-  const std::size_t behind = out_.size();
+  const std::size_t count_before = out_.size();
   step(to, like, origin);
-  if (out_.size() == behind || turns == 0) return;
+  if (out_.size() == count_before || turns == 0) return;
   auto& m = std::get<Motion>(out_.back().what);
   m.kind = cw ? MotionKind::arc_cw : MotionKind::arc_ccw;
   m.center = point;
@@ -211,7 +211,7 @@ void RadiusCompensation::watch_path(const Held& held, Vec2 end_vector) {
   const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector;
   const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
   ContourSpan known;
-  if (is_arc(m.kind) == held.element.is_arc && lies_on_offset(held.element, held.start_vector, end_vector, m.tool_radius, m.side))
+  if (is_arc(m.kind) == held.element.is_arc && is_on_offset(held.element, held.start_vector, end_vector, m.tool_radius, m.side))
     known = {held.number - (now_.regular_start ? 1 : 0), held.number + (held.regular ? 1 : 0)};
   if (is_arc(m.kind)) now_.watch.path([&] { return PlanePiece::arc(from, to, m.center, turns); }, radius, held.origin, known);
   else if (length(to - from) > tol::same_point) now_.watch.path([&] { return PlanePiece::line(from, to); }, radius, held.origin, known);

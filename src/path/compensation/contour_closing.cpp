@@ -44,8 +44,8 @@ Places places_of(Vec2 point, const PlanePiece& p) {
   if (length(point - p.to) <= touches) places.add(1);
   if (places.count > 0) return places;
   if (!p.is_arc) {
-    const Vec2 way = p.to - p.from;
-    places.add(std::clamp(dot(point - p.from, way) / dot(way, way), 0.0, 1.0));
+    const Vec2 delta = p.to - p.from;
+    places.add(std::clamp(dot(point - p.from, delta) / dot(delta, delta), 0.0, 1.0));
     return places;
   }
   const Vec2 start = p.from - p.center, arm = point - p.center;
@@ -67,11 +67,11 @@ struct Points {
 };
 
 PlanePiece point_piece(Vec2 p) { return PlanePiece::line(p, p); }
-bool lies_on(Vec2 point, const PlanePiece& piece) { return distance(point_piece(point), piece) <= touches; }
+bool is_on(Vec2 point, const PlanePiece& piece) { return distance(point_piece(point), piece) <= touches; }
 
 void add_crossings(const PlanePiece& a, const PlanePiece& b, Points& points) {
   const auto add = [&](Vec2 p) {
-    if (lies_on(p, a) && lies_on(p, b)) points.add(p);
+    if (is_on(p, a) && is_on(p, b)) points.add(p);
   };
   if (!a.is_arc && !b.is_arc) {
     const Vec2 u = a.to - a.from, v = b.to - b.from;
@@ -89,23 +89,23 @@ void add_crossings(const PlanePiece& a, const PlanePiece& b, Points& points) {
     return;
   }
   const PlanePiece &line = a.is_arc ? b : a, &arc = a.is_arc ? a : b;
-  const Vec2 way = line.to - line.from;
-  const double square = dot(way, way);
+  const Vec2 delta = line.to - line.from;
+  const double square = dot(delta, delta);
   if (square == 0) return;
-  const double part = dot(arc.center - line.from, way) / square;
-  const Vec2 foot = line.from + part * way;
+  const double part = dot(arc.center - line.from, delta) / square;
+  const Vec2 foot = line.from + part * delta;
   const double height = length(foot - arc.center);
   if (height > arc.radius) return;
   const double half = std::sqrt((arc.radius - height) * (arc.radius + height) / square);
-  for (const double side : {-half, half}) add(line.from + (part + side) * way);
+  for (const double side : {-half, half}) add(line.from + (part + side) * delta);
 }
 
 Points meetings(const PlanePiece& a, const PlanePiece& b) {
   Points points;
   for (const Vec2 p : {a.from, a.to})
-    if (lies_on(p, b)) points.add(p);
+    if (is_on(p, b)) points.add(p);
   for (const Vec2 p : {b.from, b.to})
-    if (lies_on(p, a)) points.add(p);
+    if (is_on(p, a)) points.add(p);
   add_crossings(a, b, points);
   return points;
 }

@@ -33,9 +33,9 @@ std::optional<Support> support_of(const Motion& m, Vec2 from, Vec2 end) {
     s.direction = c->direction;
     return s;
   }
-  const double way = length(end - from);
-  if (!(way > tol::same_point)) return std::nullopt;
-  s.direction = 1 / way * (end - from);
+  const double path_length = length(end - from);
+  if (!(path_length > tol::same_point)) return std::nullopt;
+  s.direction = 1 / path_length * (end - from);
   return s;
 }
 
@@ -51,7 +51,7 @@ bool is_circular(const ContourElement& e) {
 /// axes.
 void without_corner_data(Motion& m) {
   if (contour_of(m) == nullptr) return;
-  if (m.detail->rolled == 0 && !m.detail->way && m.detail->followers.empty() && m.detail->parked == 0) return m.detail.reset();
+  if (m.detail->rolled == 0 && !m.detail->direction_vector && m.detail->followers.empty() && m.detail->parked == 0) return m.detail.reset();
   auto detail = std::make_shared<MotionDetail>(*m.detail);
   detail->contour.reset();
   m.detail = std::move(detail);

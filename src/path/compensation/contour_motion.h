@@ -18,7 +18,7 @@ inline bool is_over_determined(const CornerData* c) {
 /// True if the motion ends with a chamfer or rounding.
 inline bool is_shaped(const CornerData* c) { return c != nullptr && (c->chamfer > 0 || c->rounding > 0); }
 /// True if the program states only the direction of the motion and not its end.
-inline bool has_only_direction(const CornerData* c) { return c != nullptr && c->on == SupportingCurve::way; }
+inline bool has_only_direction(const CornerData* c) { return c != nullptr && c->on == SupportingCurve::ray; }
 
 /// True for G1, G2 and G3, unless they are on a polar or cylindrical surface.
 inline bool is_element(const Motion& m) {

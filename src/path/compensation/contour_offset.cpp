@@ -40,8 +40,8 @@ Meetings of_line_and_circle(const OffsetElement& line, const OffsetElement& circ
   const Vec2 foot = start + dot(center - start, line.tangent) * line.tangent;
   const double height = length(center - foot);
   if (circle.radius < 0 || height > circle.radius + tol::same_point) return none();
-  const double way = std::sqrt(std::max(circle.radius * circle.radius - height * height, 0.0));
-  return both(foot - way * line.tangent, foot + way * line.tangent);
+  const double half_chord = std::sqrt(std::max(circle.radius * circle.radius - height * height, 0.0));
+  return both(foot - half_chord * line.tangent, foot + half_chord * line.tangent);
 }
 
 Meetings of_circles(const OffsetElement& a, const OffsetElement& b, Vec2 point) {
@@ -56,17 +56,17 @@ Meetings of_circles(const OffsetElement& a, const OffsetElement& b, Vec2 point) 
 }
 
 OffsetElement offset(const ContourElement& element, Vec2 tangent, double arc_radius, double radius, double side) {
-  OffsetElement beside;
-  beside.is_arc = element.is_arc;
+  OffsetElement offset;
+  offset.is_arc = element.is_arc;
   if (element.is_arc) {
-    beside.center = element.center;
-    beside.radius = arc_radius - side * element.sense() * radius;
-    return beside;
+    offset.center = element.center;
+    offset.radius = arc_radius - side * element.sense() * radius;
+    return offset;
   }
-  beside.normal = side_normal(tangent, side);
-  beside.distance = radius;
-  beside.tangent = tangent;
-  return beside;
+  offset.normal = side_normal(tangent, side);
+  offset.distance = radius;
+  offset.tangent = tangent;
+  return offset;
 }
 
 /// The greatest distance of the intersection of the two offset lines from the corner, in tool radii. If the lines meet farther away, the
@@ -124,12 +124,12 @@ Corner corner_of(Vec2 t1, Vec2 t2, double side) {
 }
 
 JunctionVectors without_short_steps(const JunctionVectors& vectors, double least) {
-  JunctionVectors kept = single(vectors.first());
+  JunctionVectors reduced = single(vectors.first());
   for (std::size_t i = 1; i < vectors.count; ++i) {
-    const Vec2 step = vectors.at[i] - kept.last();
-    if (std::fabs(step.x) >= least || std::fabs(step.y) >= least) kept.add(vectors.at[i]);
+    const Vec2 step = vectors.at[i] - reduced.last();
+    if (std::fabs(step.x) >= least || std::fabs(step.y) >= least) reduced.add(vectors.at[i]);
   }
-  return kept;
+  return reduced;
 }
 
 std::optional<JunctionVectors> junction(const ContourElement& first, const ContourElement& second, double radius, double side) {
@@ -180,12 +180,12 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
   return v;
 }
 
-std::optional<Vec2> entry_direction(Vec2 way, double radius, double side) {
-  const double distance = length(way);
+std::optional<Vec2> entry_direction(Vec2 travel, double radius, double side) {
+  const double distance = length(travel);
   if (!(distance > radius + tol::same_point)) return std::nullopt;
   const double across = side * radius / distance;  // sine of the angle between the tool's path and the line to the programmed point
   const double along = std::sqrt((1 - across) * (1 + across));
-  const Vec2 ahead = 1 / distance * way;
+  const Vec2 ahead = 1 / distance * travel;
   return along * ahead + across * left_of(ahead);
 }
 
@@ -234,15 +234,16 @@ JunctionVectors cancel(const ContourElement& first, const ContourElement& second
   return v;
 }
 
-bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector, double radius, double side) {
-  constexpr double beside = tol::same_point / 10;  // a tenth of same_point, which is the accuracy of results about a path
+bool is_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector, double radius, double side) {
+  constexpr double tolerance = tol::same_point / 10;  // a tenth of same_point, which is the accuracy of results about a path
   const Vec2 from = e.from + start_vector, to = e.to + end_vector;
   if (e.is_arc) {
     const double inside = side * e.sense() * radius, first = e.start_radius - inside, last = e.end_radius - inside;
-    return first > 0 && last > 0 && std::fabs(length(from - e.center) - first) < beside && std::fabs(length(to - e.center) - last) < beside;
+    return first > 0 && last > 0 && std::fabs(length(from - e.center) - first) < tolerance &&
+           std::fabs(length(to - e.center) - last) < tolerance;
   }
   const Vec2 n = side_normal(e.start, side);
-  return std::fabs(dot(start_vector, n) - radius) < beside && std::fabs(dot(end_vector, n) - radius) < beside &&
+  return std::fabs(dot(start_vector, n) - radius) < tolerance && std::fabs(dot(end_vector, n) - radius) < tolerance &&
          dot(to - from, e.start) >= 0;
 }
 

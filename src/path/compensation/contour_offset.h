@@ -112,16 +112,16 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
 
 /// Returns the direction of the first move into compensation (RS274/NGC). The tool's centre moves along a line, and the edge of the tool
 /// moves along a parallel line that leads to the programmed end point. The move ends next to this end point.
-///   way      vector from the tool's position to the programmed end point, mm
+///   travel   vector from the tool's position to the programmed end point, mm
 ///   returns  a unit vector; nullopt if the distance of the end point is at most the tool radius
-std::optional<Vec2> entry_direction(Vec2 way, double radius, double side);
+std::optional<Vec2> entry_direction(Vec2 travel, double radius, double side);
 
 /// Returns true if the tool fits into the element. The path of the tool between the two vectors must go forward, and a concave arc must
 /// have at least the tool radius.
 bool fits(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side);
 
 /// Returns true if the path from one vector to the other vector lies on the offset of the element and goes forward along this offset.
-bool lies_on_offset(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side);
+bool is_on_offset(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side);
 
 /// Returns true if the direction changes by at most 180° in total over the two elements. In this case the elements cannot meet again after
 /// their junction.

@@ -77,10 +77,10 @@ void CornerResolver::next(ActionBatch& batch, std::size_t place, Follows follows
   if (const auto* const m = motion_of(action)) {
     bool open = may_end_elsewhere(*m);
     for (std::size_t i = place + 1; open && i <= batch.size(); ++i) {
-      const auto* const behind = i < batch.size() ? motion_of(batch[i]) : nullptr;
+      const auto* const following = i < batch.size() ? motion_of(batch[i]) : nullptr;
       if (i == batch.size()) open = follows == Follows::more;
-      else if (behind != nullptr && !is_over_determined(contour_of(*behind))) open = false;
-      else if (behind != nullptr) break;
+      else if (following != nullptr && !is_over_determined(contour_of(*following))) open = false;
+      else if (following != nullptr) break;
     }
     return motion(action, open ? End::open : End::programmed);
   }
@@ -136,7 +136,7 @@ std::optional<CornerResolver::Start> CornerResolver::join(const Action& action, 
     const bool open = end == End::open || has_only_direction(its);
     const auto inserted = element_at(start.corner, *second, open ? End::open : End::programmed);
     if (!inserted) return std::nullopt;
-    start.cut = inserted->second_way;
+    start.cut = inserted->second_travel;
     start.direction = second->start;
     let_go(start.corner, *inserted, open && start.cut > 0 ? Certainty::settled_later : Certainty::certain);
   }
@@ -156,9 +156,9 @@ std::optional<ContourElement> CornerResolver::element_from(Vec2 corner, const Mo
     const auto e = ContourElement::arc(corner, known || end == End::programmed ? to : corner, m.center, sense * turns);
     return is_circular(e) ? std::optional(e) : std::nullopt;
   }
-  const bool by_direction = c != nullptr && (c->on == SupportingCurve::way || (c->on == SupportingCurve::line && end == End::open));
-  const Vec2 way = by_direction ? c->direction : to - corner;
-  return length(way) > tol::same_point ? std::optional(ContourElement::line(corner, corner + way)) : std::nullopt;
+  const bool by_direction = c != nullptr && (c->on == SupportingCurve::ray || (c->on == SupportingCurve::line && end == End::open));
+  const Vec2 direction = by_direction ? c->direction : to - corner;
+  return length(direction) > tol::same_point ? std::optional(ContourElement::line(corner, corner + direction)) : std::nullopt;
 }
 
 /// Returns the chamfer or rounding of the stored motion at its corner.
@@ -171,9 +171,9 @@ std::optional<CornerElement> CornerResolver::element_at(Vec2 corner, const Conto
   nothing.from = nothing.to = corner;
   if (own.rounding > 0 && meet_smoothly(*first, second)) return nothing;
   const double there = second.is_arc ? 1 : std::numeric_limits<double>::infinity();
-  const CornerRoom room{whole_way(*first), end == End::open ? there : whole_way(second)};
+  const CornerRoom room{whole_travel(*first), end == End::open ? there : whole_travel(second)};
   const auto inserted = own.rounding > 0 ? rounding(*first, second, own.rounding, room) : chamfer(*first, second, own.chamfer);
-  if (!inserted || !(inserted->second_way <= room.second + slack(second)))
+  if (!inserted || !(inserted->second_travel <= room.second + slack(second)))
     return failed(AlarmId::corner_too_large, now_.held->action.origin);
   return inserted;
 }
@@ -195,13 +195,13 @@ void CornerResolver::let_go(Vec2 corner, const CornerElement& inserted, Certaint
   const auto element = held_element(corner);
   const Start& start = now_.held->start;
   const bool backwards = element && start.cut > 0 && !element->is_arc && dot(element->start, start.direction) < 0;
-  const double way = element && !backwards ? whole_way(*element) : 0, tolerance = element ? slack(*element) : tol::same_point;
-  if (!(start.cut <= way + tolerance) && start.cut > 0) {
+  const double path_length = element && !backwards ? whole_travel(*element) : 0, tolerance = element ? slack(*element) : tol::same_point;
+  if (!(start.cut <= path_length + tolerance) && start.cut > 0) {
     now_.settled.clear();
     fail(AlarmId::corner_too_large, now_.settled_origin);
     return;
   }
-  const double taken = start.cut + inserted.first_way, rest = way - taken;
+  const double taken = start.cut + inserted.first_travel, rest = path_length - taken;
   if (taken > 0 && !(rest >= -tolerance)) return fail(AlarmId::corner_too_large, now_.held->action.origin);
   for (Action& action : now_.settled) out_.add() = std::move(action);
   now_.settled.clear();

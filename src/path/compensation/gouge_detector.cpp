@@ -85,7 +85,7 @@ void GougeDetector::compare_ends() {
 }
 
 /// Recomputes the deepest cut into a contour piece. Only the section `piece` of the contour piece bounds the workpiece.
-void GougeDetector::anew(const Seen& contour, const PlanePiece& piece) {
+void GougeDetector::compare_again(const Seen& contour, const PlanePiece& piece) {
   if (cut_into(contour.number).depth == 0) return;
   cut_into(contour.number).depth = 0;
   Seen rest = contour;
@@ -104,7 +104,7 @@ void GougeDetector::leave_out_tails() {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (i < loop->first || i > loop->last) cut_into(seen[i].number).depth = 0;
     else if (i == loop->first || i == loop->last)
-      anew(seen[i], cut_out(pieces[i], i == loop->first ? loop->first_part : 0, i == loop->last ? loop->last_part : 1));
+      compare_again(seen[i], cut_out(pieces[i], i == loop->first ? loop->first_part : 0, i == loop->last ? loop->last_part : 1));
   }
 }
 

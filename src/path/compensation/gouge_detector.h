@@ -35,11 +35,11 @@ class GougeDetector {
   /// Adds a piece of the programmed contour. `radius` is the tool radius in mm.
   ///   returns  the number of the piece
   std::uint64_t contour(const ContourElement& element, double radius, const Origin& origin);
-  /// Adds a piece of the path of the tool's centre. `way` is a function that returns the piece.
+  /// Adds a piece of the path of the tool's centre. `make` is a function that returns the piece.
   template <class Make>
-  void path(const Make& way, double radius, const Origin& origin, ContourSpan known) {
+  void path(const Make& make, double radius, const Origin& origin, ContourSpan known) {
     if (path_.loses_first()) path_.keep_first();
-    compare_path(path_.add(way, radius, origin), known);
+    compare_path(path_.add(make, radius, origin), known);
   }
   /// Ends the contour and clears all data. Returns the deepest cut into the workpiece if this cut is deeper than tol::same_point; otherwise
   /// nullopt.
@@ -90,7 +90,7 @@ class GougeDetector {
   void compare(const Seen& contour, const Seen& path);
   void compare_ends();
   void leave_out_tails();
-  void anew(const Seen& contour, const PlanePiece& piece);
+  void compare_again(const Seen& contour, const PlanePiece& piece);
   ContourGouge& cut_into(std::uint64_t number);
 
   Ring contour_, path_;

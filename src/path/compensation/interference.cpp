@@ -33,8 +33,8 @@ bool interferes(Window window, std::size_t j) {
     const CompensatedBlock& block = window[1];
     if (block.element->is_arc) return arc_turns_round(*block.element, block, b.first());
   }
-  const Vec2 way = window[j].element->to - window[0].element->to;
-  return opposed(way, way + b.first() - a.last());
+  const Vec2 delta = window[j].element->to - window[0].element->to;
+  return opposed(delta, delta + b.first() - a.last());
 }
 
 /// Returns the intersection of the lines a0–a1 and b0–b1; nullopt if they do not meet. End points belong to the lines.
@@ -51,10 +51,10 @@ std::optional<Vec2> crossing(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
 /// Executes steps 1 to 3 of NCT 15.5.7: joins the blocks at the point at which the paths around the two corners cross.
 std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
   const JunctionVectors &a = *window[0].end, &b = *window[j].end;
-  const Vec2 p1 = window[0].element->to, p2 = window[j].element->to, way = p2 - p1;
+  const Vec2 p1 = window[0].element->to, p2 = window[j].element->to, delta = p2 - p1;
   for (std::size_t q = 1; q < a.count && q < b.count; ++q) {
     const std::size_t i = a.count - 1U - q;
-    if (opposed(way, way + b.at[q] - a.at[i])) continue;
+    if (opposed(delta, delta + b.at[q] - a.at[i])) continue;
     const auto x = crossing(p1 + a.at[i], p1 + a.at[i + 1], p2 + b.at[q - 1], p2 + b.at[q]);
     if (!x) continue;  // INFERRED: without an intersection the interference is not resolved.
     ContourJoin join{j + 1, {}, b.last()};
@@ -95,8 +95,8 @@ bool moves_backwards(const CompensatedBlock& block) {
   const ContourElement& e = *block.element;
   const Vec2 end = block.end->first();
   if (e.is_arc) return arc_turns_round(e, block, end);
-  const Vec2 way = e.to - e.from;
-  return opposed(way, way + end - block.start_vector);
+  const Vec2 delta = e.to - e.from;
+  return opposed(delta, delta + end - block.start_vector);
 }
 
 std::optional<ContourJoin> check_interference(Window window, std::size_t further, bool always_alarm) {

@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr double least_speed_by_time = 0.1;  // The least speed with inverse-time feed, units/min (inverse_time_rate_straight of LinuxCNC).
-constexpr double least_way_by_time = 1e-7;   // The least length with inverse-time feed, mm (find_straight_length of LinuxCNC).
+constexpr double least_length_by_time = 1e-7;  // The least length with inverse-time feed, mm (find_straight_length of LinuxCNC).
 
 /// Returns the number of started revolutions of an arc, positive counter-clockwise.
 int turn_of(const Motion& m) {
@@ -24,9 +24,9 @@ int turn_of(const Motion& m) {
 /// True for a turning tool whose tip is not at the centre of its nose radius.
 bool has_tip(const Motion& m) { return m.nose != 0 && m.nose != 9; }
 
-/// Returns the vector from a contour point to the tool's centre. `way` is the tangent of the contour at this point.
-Vec2 beside_line(Vec2 way, const Motion& m) {
-  const double angle = std::atan2(way.y, way.x) + (m.side > 0 ? pi / 2 : -pi / 2);
+/// Returns the vector from a contour point to the tool's centre. `tangent` is the tangent of the contour at this point.
+Vec2 offset_from_line(Vec2 tangent, const Motion& m) {
+  const double angle = std::atan2(tangent.y, tangent.x) + (m.side > 0 ? pi / 2 : -pi / 2);
   return {m.tool_radius * std::cos(angle), m.tool_radius * std::sin(angle)};
 }
 
@@ -125,7 +125,7 @@ void QueuedCompensation::outside_contour(Action& action) {
   Queued queued;
   queued.moves = true;
   queued.end = in_plane(m.to);
-  if (beside()) {
+  if (off_contour()) {
     if (!is_arc(m.kind)) queued.speed = programmed_speed(m);
     m.side_step = SideStep::ends;
   }
@@ -140,16 +140,16 @@ void QueuedCompensation::outside_contour(Action& action) {
 void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
   if (is_arc(m.kind)) {
-    const auto way = entry_arc(from, {to, m.center, turn_of(m)}, m.tool_radius, m.side);
-    if (!way) return void(fault(way.error()));
-    queued.arc = *way;
-    queued.swept = swept_by(from, way->center, way->turn, way->end);
-    queued.end = way->end;
-    if (has_tip(m)) lead_tip_in(queued, from);
+    const auto entry = entry_arc(from, {to, m.center, turn_of(m)}, m.tool_radius, m.side);
+    if (!entry) return void(fault(entry.error()));
+    queued.arc = *entry;
+    queued.swept = swept_by(from, entry->center, entry->turn, entry->end);
+    queued.end = entry->end;
+    if (has_tip(m)) queue_lead_in(queued, from);
   } else {
     if (std::hypot(to.x - from.x, to.y - from.y) <= m.tool_radius) return void(fault(alarm(AlarmId::entry_line_within_tool, {})));
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
-    const Vec2 normal = beside_line(to - from, m);
+    const Vec2 normal = offset_from_line(to - from, m);
     // The direction is the normal of the line, as in LinuxCNC's source. A corner therefore cannot make this line go backwards.
     queued.direction = normal;
     queued.end = to + normal;
@@ -162,13 +162,13 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
 
 /// Queues a line before an entry arc. The line moves the tool's centre to the position of the tip. Without this line the radii at the start
 /// and the end of the arc would differ (convert_arc_comp1).
-void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
-  Queued way;
-  way.action = arc.action;
-  way.moves = true;
-  way.end = from;
-  way.speed = arc.speed;
-  auto& m = std::get<Motion>(way.action.what);
+void QueuedCompensation::queue_lead_in(const Queued& arc, Vec2 from) {
+  Queued lead_in;
+  lead_in.action = arc.action;
+  lead_in.moves = true;
+  lead_in.end = from;
+  lead_in.speed = arc.speed;
+  auto& m = std::get<Motion>(lead_in.action.what);
   for (const std::size_t axis : {now_.first, now_.second, third()}) {
     m.to[axis] = now_.at.work[axis];
     m.machine[axis] = now_.at.machine[axis];
@@ -176,7 +176,7 @@ void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
   m.kind = MotionKind::feed;
   m.detail.reset();
   now_.start = from;
-  push(way);
+  push(lead_in);
 }
 
 void QueuedCompensation::line(Queued& queued, const Motion& m) {
@@ -189,11 +189,11 @@ void QueuedCompensation::line(Queued& queued, const Motion& m) {
   const auto corner = corner_to_line(place_before(m), to);
   if (!corner) return void(fault(corner.error()));
   watch_element(queued, m);
-  if (corner->way == CornerKind::outer) {
+  if (corner->kind == CornerKind::outer) {
     if (!move_ends(now_.tool)) return;
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
     go_around_corner(queued, corner->at);
-  } else if (corner->way == CornerKind::inner) {
+  } else if (corner->kind == CornerKind::inner) {
     if (!move_ends(corner->at)) return;
   } else {
     deliver_queue();
@@ -210,12 +210,12 @@ void QueuedCompensation::arc(Queued& queued, const Motion& m) {
   const auto corner = corner_to_arc(place_before(m), programmed);
   if (!corner) return void(fault(corner.error()));
   watch_element(queued, m);
-  if (corner->way == CornerKind::inner) {
+  if (corner->kind == CornerKind::inner) {
     if (!move_ends(corner->at)) return;
   } else {
     deliver_queue();
     now_.start = now_.tool;
-    if (corner->way == CornerKind::outer) go_around_corner(queued, corner->at);
+    if (corner->kind == CornerKind::outer) go_around_corner(queued, corner->at);
   }
   queued.arc = {corner->end, m.center, programmed.turn};
   queued.swept = swept_by(from, m.center, programmed.turn, to);
@@ -231,16 +231,16 @@ CornerSituation QueuedCompensation::place_before(const Motion& m) const {
 /// along the compensated path and around the corner. The result is 0 for other feeds.
 double QueuedCompensation::programmed_speed(const Motion& m) const {
   if (m.unit != FeedUnit::per_min || m.kind == MotionKind::rapid) return 0;
-  double way = 0;
+  double path_length = 0;
   if (is_arc(m.kind)) {
     const Vec2 from{now_.at.work[m.first], now_.at.work[m.second]}, to{m.to[m.first], m.to[m.second]};
     const double deep = m.to[third()] - now_.at.work[third()];
-    way = std::hypot(std::hypot(m.center.x - from.x, m.center.y - from.y) * swept_by(from, m.center, turn_of(m), to), deep);
+    path_length = std::hypot(std::hypot(m.center.x - from.x, m.center.y - from.y) * swept_by(from, m.center, turn_of(m), to), deep);
   } else {
-    for (std::size_t a = 0; a < 3; ++a) way = std::hypot(way, m.to[a] - now_.at.work[a]);
-    if (way <= least_way_by_time && !beside()) return 0;
+    for (std::size_t a = 0; a < 3; ++a) path_length = std::hypot(path_length, m.to[a] - now_.at.work[a]);
+    if (path_length <= least_length_by_time && !off_contour()) return 0;
   }
-  return std::max(least_speed_by_time * unit(), way * m.feed);
+  return std::max(least_speed_by_time * unit(), path_length * m.feed);
 }
 
 /// Adds an element to GougeDetector, which compares this element with all motions that are emitted later. Only motions at feed along the
@@ -273,10 +273,10 @@ void QueuedCompensation::follow(const Action& action) {
     now_.on = m->side != 0;
     now_.first = m->first;
     now_.second = m->second;
-    const Vec2 to = in_plane(m->to), way = is_arc(m->kind) ? to - m->center : to - in_plane(now_.at.work);
+    const Vec2 to = in_plane(m->to), direction = is_arc(m->kind) ? to - m->center : to - in_plane(now_.at.work);
     const double sense = m->kind == MotionKind::arc_ccw ? 1 : -1;
-    const Vec2 along = is_arc(m->kind) ? Vec2{-sense * way.y, sense * way.x} : way;
-    if (now_.on && !(along == Vec2{})) now_.tool = to + beside_line(along, *m);
+    const Vec2 along = is_arc(m->kind) ? Vec2{-sense * direction.y, sense * direction.x} : direction;
+    if (now_.on && !(along == Vec2{})) now_.tool = to + offset_from_line(along, *m);
   }
   now_.at.take(action);
   now_.stands = now_.at.work;

@@ -39,10 +39,10 @@ class QueuedCompensation {
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
   /// True if compensation of a contour is active after the last emitted action.
-  bool at_work() const { return !now_.queue.empty() || beside(); }
+  bool at_work() const { return !now_.queue.empty() || off_contour(); }
 
   /// True if the tool is not at the programmed point after the last emitted action.
-  bool beside() const { return now_.dropped || dot(now_.beside, now_.beside) > tol::same_point * tol::same_point; }
+  bool off_contour() const { return now_.dropped || dot(now_.off_contour, now_.off_contour) > tol::same_point * tol::same_point; }
 
  private:
   // The greatest number of queued actions in this implementation. LinuxCNC's queue is limited only by the memory.
@@ -76,7 +76,7 @@ class QueuedCompensation {
     // still reads that arc.
     std::optional<QueuedArc> first_arc{};
     Axes stands{};         // work coordinates of the tool after the last emitted action
-    Vec2 beside;           // offset of the tool from the programmed point after the last emitted action, mm
+    Vec2 off_contour;      // offset of the tool from the programmed point after the last emitted action, mm
     bool dropped = false;  // True if a queue was dropped. The tool has then not reached the programmed point.
     GougeDetector watch;
   };
@@ -91,7 +91,7 @@ class QueuedCompensation {
   void motion(Action& action);
   void outside_contour(Action& action);
   void enter(Queued& queued, const Motion& m);
-  void lead_tip_in(const Queued& arc, Vec2 from);
+  void queue_lead_in(const Queued& arc, Vec2 from);
   void line(Queued& queued, const Motion& m);
   void arc(Queued& queued, const Motion& m);
   CornerSituation place_before(const Motion& m) const;

@@ -42,7 +42,7 @@ struct CornerSituation {
 enum class CornerKind : std::uint8_t { inner, outer, straight };
 
 struct QueuedCorner {
-  CornerKind way = CornerKind::straight;
+  CornerKind kind = CornerKind::straight;
   // At an inner corner: the point at which the tool leaves the first element and starts the second element. At an outer corner: the point
   // at which the second element starts.
   Vec2 at;

@@ -28,7 +28,7 @@ constexpr std::size_t orientations = 10;
 constexpr Vec2 tips[orientations] = {{0, 0}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 1}, {0, 0}};
 Vec2 tip_of(const Motion& m) { return m.side == 0 || m.nose >= orientations ? Vec2{} : m.tool_radius * tips[m.nose]; }
 
-double plane_way(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double plane_distance(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
@@ -51,7 +51,7 @@ bool QueuedCompensation::move_ends(Vec2 to) {
 /// Checks the new end of a queued motion. A line must not go backwards, and the swept angle of an arc must not be greater than programmed.
 bool QueuedCompensation::may_end(const Queued& queued, Vec2 to) {
   if (queued.arc) {
-    const double before = plane_way(queued.arc->end, queued.arc->center), now = plane_way(to, queued.arc->center);
+    const double before = plane_distance(queued.arc->end, queued.arc->center), now = plane_distance(to, queued.arc->center);
     if (std::fabs(before - now) > radii_apart * unit()) return fault(alarm(AlarmId::offset_arc_radii, {}, before / unit(), now / unit()));
     if (!now_.start || queued.swept == 0) return true;
     const double swept = swept_by(*now_.start, queued.arc->center, queued.arc->turn, to);
@@ -106,8 +106,8 @@ void QueuedCompensation::deliver(Queued& queued) {
     move_tool(queued, *m);
     // A new coordinate frame: the tool's coordinates are converted to this frame.
   } else if (auto* const frame = std::get_if<FrameChange>(&queued.action.what)) {
-    frame->work[now_.first] += now_.beside.x;
-    frame->work[now_.second] += now_.beside.y;
+    frame->work[now_.first] += now_.off_contour.x;
+    frame->work[now_.second] += now_.off_contour.y;
     now_.stands = frame->work;
   }
   out_.add() = std::move(queued.action);
@@ -115,7 +115,7 @@ void QueuedCompensation::deliver(Queued& queued) {
 
 void QueuedCompensation::move_tool(const Queued& queued, Motion& m) {
   const Vec2 tip = tip_of(m), from = in_plane(now_.stands) - tip, to = queued.end;
-  double way = plane_way(from, to);
+  double travel = plane_distance(from, to);
   if (queued.arc) {
     m.center = queued.arc->center;
     const int further = std::abs(queued.arc->turn) - 1;
@@ -123,19 +123,19 @@ void QueuedCompensation::move_tool(const Queued& queued, Motion& m) {
     if (swept <= no_arc) swept += 2 * pi;
     swept += further * 2 * pi;
     m.turns = swept / (2 * pi);
-    way = swept * plane_way(from, m.center);
+    travel = swept * plane_distance(from, m.center);
   }
   if (m.kind == MotionKind::thread && m.side != 0) m.kind = MotionKind::feed;
-  way = std::hypot(way, m.to[third()] - now_.stands[third()]);
-  if (queued.speed > 0 && way > tol::same_point) m.feed = queued.speed / way;
-  if (queued.watched && plane_way(from, to) > tol::same_point) {
+  travel = std::hypot(travel, m.to[third()] - now_.stands[third()]);
+  if (queued.speed > 0 && travel > tol::same_point) m.feed = queued.speed / travel;
+  if (queued.watched && plane_distance(from, to) > tol::same_point) {
     const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
     const auto piece = [&] { return queued.arc ? PlanePiece::arc(from, to, m.center, turns) : PlanePiece::line(from, to); };
     now_.watch.path(piece, m.tool_radius, queued.action.origin, queued.known);
   }
   if (queued.arc) m.center = m.center + tip;
-  now_.beside = to + tip - in_plane(m.to);
-  shift_in_plane(m, now_.first, now_.second, now_.beside, now_.at.turn.get());
+  now_.off_contour = to + tip - in_plane(m.to);
+  shift_in_plane(m, now_.first, now_.second, now_.off_contour, now_.at.turn.get());
   now_.stands = m.to;
   now_.dropped = false;
 }

@@ -18,7 +18,7 @@ bool in_contour(const Motion& m) {
 
 const std::optional<Vec2>& direction_of(const Motion& m) {
   static const std::optional<Vec2> none;
-  return m.detail ? m.detail->way : none;
+  return m.detail ? m.detail->direction_vector : none;
 }
 
 /// Returns the rule for the corner after the motion `m`. A corner between two rapid motions gets no arc.
@@ -47,7 +47,7 @@ void RadiusCompensation::drop() {
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
   warnings_.clear();
   // The usual case: no compensation is active, so only the tool's position is updated.
-  if (now_.count == 0 && !now_.zero && !beside()) {
+  if (now_.count == 0 && !now_.zero && !off_contour()) {
     bool any = false;
     for (const Action& action : batch) {
       if (const auto* const m = motion_of(action)) any = any || m->side != 0;
@@ -123,8 +123,8 @@ void RadiusCompensation::motion(Action& action) {
   now_.first = m.first;
   now_.second = m.second;
   now_.keeps_vector = m.entry != CompensationApproach::by_corner;
-  const Vec2 way = in_plane(m.to) - in_plane(now_.at.work);
-  if (length(way) > tol::same_point || is_arc(m.kind)) return contour(action);
+  const Vec2 delta = in_plane(m.to) - in_plane(now_.at.work);
+  if (length(delta) > tol::same_point || is_arc(m.kind)) return contour(action);
   const bool named = (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) != 0;
   if (named && ends) {
     leave();
@@ -166,30 +166,30 @@ void RadiusCompensation::contour(Action& action) {
   ContourElement& element = held(now_.count).element;
   construct_in_place(element, [&] { return element_of(m); });
   if (element.start == Vec2{}) {
-    const double way = length(in_plane(m.to) - in_plane(now_.at.work));
-    return fault(alarm(AlarmId::compensation_entry_short, {}, way, m.tool_radius), action.origin);
+    const double path_length = length(in_plane(m.to) - in_plane(now_.at.work));
+    return fault(alarm(AlarmId::compensation_entry_short, {}, path_length, m.tool_radius), action.origin);
   }
-  const Vec2 beside = m.tool_radius * side_normal(element.start, m.side);
+  const Vec2 offset = m.tool_radius * side_normal(element.start, m.side);
   Vec2 start = now_.vector;
   if (now_.count > 0 && now_.corner) {
     const Motion before = last_held().motion;
     const Origin origin = std::exchange(now_.corner, std::nullopt)->origin;
     flush({});
-    if (!fault_) round(beside, origin, before.kind == MotionKind::rapid ? m : before);
-    start = beside;
+    if (!fault_) round(offset, origin, before.kind == MotionKind::rapid ? m : before);
+    start = offset;
   } else if (now_.count > 0) {
     join(m, element);
     const JunctionVectors& end = last_held().end;
-    start = end.count > 0 ? end.last() : beside;
+    start = end.count > 0 ? end.last() : offset;
   } else if (now_.zero) {
     const auto& like = std::get<Motion>(now_.zero->what);
-    if (like.side_step == SideStep::none) watch_step(now_.vector, beside, m, now_.zero->origin, {});
-    step(beside, like, now_.zero->origin);
+    if (like.side_step == SideStep::none) watch_step(now_.vector, offset, m, now_.zero->origin, {});
+    step(offset, like, now_.zero->origin);
     now_.zero.reset();
-    start = beside;
+    start = offset;
   } else if (m.side_step == SideStep::begun) {
-    step(beside, m, action.origin);
-    start = beside;
+    step(offset, m, action.origin);
+    start = offset;
   }
   if (!fault_) hold(action, element, start);
 }
@@ -216,14 +216,14 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
 /// is known.
 void RadiusCompensation::corner(Action& action) {
   if (now_.count == 0) return;
-  const auto& way = std::get<CompensationCorner>(action.what).way;
-  if (!way) {
+  const auto& direction = std::get<CompensationCorner>(action.what).direction_vector;
+  if (!direction) {
     now_.corner = std::move(action);
     return;
   }
   const Motion before = last_held().motion;
   flush({});
-  if (!fault_) round(before.tool_radius * side_normal(1 / length(*way) * *way, before.side), action.origin, before);
+  if (!fault_) round(before.tool_radius * side_normal(1 / length(*direction) * *direction, before.side), action.origin, before);
 }
 
 /// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`. If `vector` is empty, the motion
@@ -249,12 +249,12 @@ void RadiusCompensation::leave() {
   if (now_.count == 0) return flush(Vec2{});
   const Motion like = last_held().motion;
   const Origin origin = last_held().origin;
-  std::vector<Action> behind = std::exchange(last_held().waiting, {});
+  std::vector<Action> waiting = std::exchange(last_held().waiting, {});
   flush({});
   if (fault_) return;
   step({}, like, origin);
   end_watch();
-  for (Action& action : behind) deliver(std::move(action));
+  for (Action& action : waiting) deliver(std::move(action));
 }
 
 /// Lets the program continue from the tool's current position. The function adds the vector to the programmed point and ends the
@@ -276,8 +276,8 @@ void RadiusCompensation::stay() {
 ContourElement RadiusCompensation::element_of(const Motion& m) const {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
   if (m.side_step == SideStep::begins && m.entry == CompensationApproach::tangent) {
-    const auto way = entry_direction(to - from, m.tool_radius, m.side);
-    return way ? ContourElement::line(to - *way, to) : ContourElement();
+    const auto direction = entry_direction(to - from, m.tool_radius, m.side);
+    return direction ? ContourElement::line(to - *direction, to) : ContourElement();
   }
   if (!is_arc(m.kind)) return ContourElement::line(from, to);
   return ContourElement::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns);
@@ -308,13 +308,13 @@ std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next
   if (now_.keeps_vector && ends) return single(radius * side_normal(first.end, side));
   if (now_.keeps_vector && begins && m.entry == CompensationApproach::normal) return single(radius * side_normal(second.start, side));
   if (now_.keeps_vector && next.side == m.side) return joined(first, second, radius, side, join_of(m, next));
-  if (const auto& way = direction_of(m); begins && way) {
-    const ContourElement in = ContourElement::line(first.to - *way, first.to);
+  if (const auto& direction = direction_of(m); begins && direction) {
+    const ContourElement in = ContourElement::line(first.to - *direction, first.to);
     return meeting(offset_at_end(in, radius, side), offset_at_start(second, radius, side), first.to,
                    radius * side_normal(second.start, side));
   }
-  if (const auto& way = direction_of(next); ends && way) {
-    const ContourElement out = ContourElement::line(first.to, first.to + *way);
+  if (const auto& direction = direction_of(next); ends && direction) {
+    const ContourElement out = ContourElement::line(first.to, first.to + *direction);
     return meeting(offset_at_end(first, radius, side), offset_at_start(out, radius, side), first.to, radius * side_normal(first.end, side));
   }
   if (m.side_step == SideStep::holds) return single(before.start_vector);

@@ -43,10 +43,10 @@ class RadiusCompensation {
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
   /// True if compensation of a contour is active after the last emitted action.
-  bool at_work() const { return now_.count > 0 || beside(); }
+  bool at_work() const { return now_.count > 0 || off_contour(); }
 
   /// True if the tool is not at the programmed point after the last emitted action.
-  bool beside() const { return dot(now_.vector, now_.vector) > tol::same_point * tol::same_point; }
+  bool off_contour() const { return dot(now_.vector, now_.vector) > tol::same_point * tol::same_point; }
 
   /// Discards the stored motions and actions, because the control does not execute them.
   void drop();

@@ -10,36 +10,36 @@ namespace {
 
 constexpr int max_bezier_pieces = 1000;
 
-double size(const Axes& way) {
+double size(const Axes& vector) {
   double squares = 0;
-  for (const double part : way) squares += part * part;
+  for (const double part : vector) squares += part * part;
   return std::sqrt(squares);
 }
 
 Axes between(const Axes& from, const Axes& to) {
-  Axes way{};
-  for (std::size_t a = 0; a < max_axes; ++a) way[a] = to[a] - from[a];
-  return way;
+  Axes delta{};
+  for (std::size_t a = 0; a < max_axes; ++a) delta[a] = to[a] - from[a];
+  return delta;
 }
 
-Axes times(const Axes& way, double factor) {
-  Axes all = way;
+Axes times(const Axes& vector, double factor) {
+  Axes all = vector;
   for (double& part : all) part *= factor;
   return all;
 }
 
 }  // namespace
 
-Axes way_between(const Axes& before, double before_length, const Axes& behind, double after_length) {
-  Axes way{};
-  for (std::size_t a = 0; a < max_axes; ++a) way[a] = after_length * before[a] + before_length * behind[a];
-  return times(way, 1 / size(way));
+Axes direction_between(const Axes& before, double before_length, const Axes& after, double after_length) {
+  Axes direction{};
+  for (std::size_t a = 0; a < max_axes; ++a) direction[a] = after_length * before[a] + before_length * after[a];
+  return times(direction, 1 / size(direction));
 }
 
-Bezier::Bezier(const Axes& from, const Axes& to, const Axes& start_way, const Axes& end_way) : from_(from), to_(to) {
+Bezier::Bezier(const Axes& from, const Axes& to, const Axes& start_direction, const Axes& end_direction) : from_(from), to_(to) {
   const double third = size(between(from, to)) / 3;
-  start_pull_ = times(start_way, third);
-  end_pull_ = times(end_way, third);
+  start_pull_ = times(start_direction, third);
+  end_pull_ = times(end_direction, third);
 }
 
 Axes Bezier::at(double part) const {
@@ -74,9 +74,9 @@ double Bezier::off_chord() const {
 int Bezier::pieces(double chord) const {
   Axes start{}, end{};
   for (std::size_t a = 0; a < max_axes; ++a) {
-    const double way = to_[a] - from_[a];
-    start[a] = 6 * (way - end_pull_[a] - 2 * start_pull_[a]);
-    end[a] = 6 * (2 * end_pull_[a] + start_pull_[a] - way);
+    const double travel = to_[a] - from_[a];
+    start[a] = 6 * (travel - end_pull_[a] - 2 * start_pull_[a]);
+    end[a] = 6 * (2 * end_pull_[a] + start_pull_[a] - travel);
   }
   const double count = std::ceil(std::sqrt(std::max(size(start), size(end)) / (8 * chord)));
   return static_cast<int>(std::clamp(count, 1.0, double{max_bezier_pieces}));

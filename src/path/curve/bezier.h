@@ -9,8 +9,8 @@ namespace kadr {
 
 class Bezier {
  public:
-  /// `start_way` and `end_way` are the directions of the curve at its start and its end, as unit vectors.
-  Bezier(const Axes& from, const Axes& to, const Axes& start_way, const Axes& end_way);
+  /// `start_direction` and `end_direction` are the directions of the curve at its start and its end, as unit vectors.
+  Bezier(const Axes& from, const Axes& to, const Axes& start_direction, const Axes& end_direction);
 
   /// Returns the point at the parameter `part`, 0 to 1.
   ///   law  at(0) and at(1) are exactly the given end points
@@ -31,6 +31,6 @@ class Bezier {
 /// Returns the direction, a unit vector, of a curve at the point between two straight pieces. INFERRED (NCT 4.7): the direction is the mean
 /// of the pieces' directions, in which the shorter piece has more weight.
 ///   pre  the path does not reverse at this point
-Axes way_between(const Axes& before, double before_length, const Axes& behind, double after_length);
+Axes direction_between(const Axes& before, double before_length, const Axes& after, double after_length);
 
 }  // namespace kadr

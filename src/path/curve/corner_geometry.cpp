@@ -39,7 +39,7 @@ double radius_at(const ContourElement& e, Vec2 corner) { return length(corner - 
 /// point is before the corner, at the end of the element.
 struct Touch {
   Vec2 point;
-  double way = 0;
+  double travel = 0;
 };
 std::optional<Touch> at_chord(const ContourElement& e, Vec2 corner, Vec2 tangent, double chord, double back) {
   if (!e.is_arc) return Touch{corner + back * chord * tangent, chord};
@@ -58,13 +58,13 @@ Vec2 touch_point(const ContourElement& e, Vec2 corner, Vec2 tangent, Vec2 center
 
 /// Returns the travel along an element from one point to another point. The result is 0 if the travel is negative because of rounding
 /// errors only.
-double way_between(const ContourElement& e, Vec2 from, Vec2 to, Vec2 tangent) {
+double travel_between(const ContourElement& e, Vec2 from, Vec2 to, Vec2 tangent) {
   if (!e.is_arc) return dot(to - from, tangent);
   const double turns = swept_turns(from - e.center, to - e.center, e.sense());
   return 1 - turns <= slack(e) ? 0 : turns;
 }
 
-bool has_room(double way, double room, double tolerance) { return way >= -tolerance && way <= room + tolerance; }
+bool has_room(double travel, double room, double tolerance) { return travel >= -tolerance && travel <= room + tolerance; }
 
 }  // namespace
 
@@ -73,7 +73,7 @@ double swept_turns(Vec2 from, Vec2 to, double sense) {
   return turns < 0 ? turns + 1 : turns;
 }
 
-double whole_way(const ContourElement& e) { return e.is_arc ? std::fabs(e.turns) : length(e.to - e.from); }
+double whole_travel(const ContourElement& e) { return e.is_arc ? std::fabs(e.turns) : length(e.to - e.from); }
 double slack(const ContourElement& e) {
   return e.is_arc ? tol::same_point / (2 * pi * std::max(e.start_radius, e.end_radius)) : tol::same_point;
 }
@@ -100,8 +100,8 @@ std::optional<CornerElement> chamfer(const ContourElement& first, const ContourE
   CornerElement c;
   c.from = begin->point;
   c.to = end->point;
-  c.first_way = begin->way;
-  c.second_way = end->way;
+  c.first_travel = begin->travel;
+  c.second_travel = end->travel;
   return c;
 }
 
@@ -109,10 +109,10 @@ std::optional<CornerElement> rounding(const ContourElement& first, const Contour
   const double turn = cross(first.end, second.start), side = turn > 0 ? 1 : -1;
   if (!(std::fabs(turn) >= tol::tangential)) return std::nullopt;  // The second element goes back along the first element, so no arc fits.
   const Vec2 corner = first.to;
-  const OffsetElement before = offset_at_end(first, radius, side), behind = offset_at_start(second, radius, side);
-  for (const OffsetElement& e : {before, behind})
+  const OffsetElement before = offset_at_end(first, radius, side), after = offset_at_start(second, radius, side);
+  for (const OffsetElement& e : {before, after})
     if (e.is_arc && !(e.radius > tol::same_point)) return std::nullopt;
-  const Meetings meet = intersections(before, behind, corner);
+  const Meetings meet = intersections(before, after, corner);
   std::optional<CornerElement> best;
   double best_distance = 0;
   for (std::size_t i = 0; i < meet.count; ++i) {
@@ -120,11 +120,11 @@ std::optional<CornerElement> rounding(const ContourElement& first, const Contour
     c.center = corner + meet.at[i];
     c.from = touch_point(first, corner, first.end, c.center);
     c.to = touch_point(second, corner, second.start, c.center);
-    c.first_way = way_between(first, c.from, corner, first.end);
-    c.second_way = way_between(second, corner, c.to, second.start);
+    c.first_travel = travel_between(first, c.from, corner, first.end);
+    c.second_travel = travel_between(second, corner, c.to, second.start);
     c.turns = side * swept_turns(c.from - c.center, c.to - c.center, side);
     const double distance = length(meet.at[i]);
-    if (!has_room(c.first_way, room.first, slack(first)) || !has_room(c.second_way, room.second, slack(second))) continue;
+    if (!has_room(c.first_travel, room.first, slack(first)) || !has_room(c.second_travel, room.second, slack(second))) continue;
     if (best && best_distance <= distance) continue;
     best = c;
     best_distance = distance;

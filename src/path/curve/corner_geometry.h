@@ -30,13 +30,13 @@ struct CornerChoice {
 ///   law      the corner lies on both elements within tol::same_point
 std::optional<Vec2> calculated_corner(const Support& first, const Support& second, CornerChoice choice);
 
-/// A chamfer (a line) or a rounding (an arc) between two elements. `first_way` and `second_way` are the travel that it removes from each
-/// element.
+/// A chamfer (a line) or a rounding (an arc) between two elements. `first_travel` and `second_travel` are the travel that it removes from
+/// each element.
 struct CornerElement {
   Vec2 from, to;
   Vec2 center;
   double turns = 0;  // swept angle / 360 of an arc, positive counter-clockwise; 0 for a line
-  double first_way = 0, second_way = 0;
+  double first_travel = 0, second_travel = 0;
 };
 
 /// Returns the chamfer that removes the length `leg` from each element; on an arc `leg` is a chord length (NCT 17.1).
@@ -58,9 +58,9 @@ std::optional<CornerElement> rounding(const ContourElement& first, const Contour
 /// Returns true if the elements meet tangentially, so that no rounding is inserted (NCT 17.1, INFERRED).
 bool meet_smoothly(const ContourElement& first, const ContourElement& second);
 
-/// whole_way() returns the whole travel along an element. slack() returns the tolerance tol::same_point converted to a travel along the
+/// whole_travel() returns the whole travel along an element. slack() returns the tolerance tol::same_point converted to a travel along the
 /// element.
-double whole_way(const ContourElement& element);
+double whole_travel(const ContourElement& element);
 double slack(const ContourElement& element);
 
 /// Returns the rotation from one direction to another direction, in revolutions from 0 to below 1. The rotation is counter-clockwise if

@@ -67,8 +67,9 @@ double MachinePath::most_off_chord() const {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
     turn += std::fabs(end_[axis] - from_.machine[axis]) * rad_per_deg;
   }
-  const double way = curve_.length(), arm = way + std::max(from_.space->arm(from_.machine), from_.space->arm(motion_.machine));
-  return (turn * turn * arm + 2 * turn * way) / 8;
+  const double path_length = curve_.length(),
+               arm = path_length + std::max(from_.space->arm(from_.machine), from_.space->arm(motion_.machine));
+  return (turn * turn * arm + 2 * turn * path_length) / 8;
 }
 
 Extents MachinePath::rough_extents() const {
@@ -88,14 +89,14 @@ Extents MachinePath::rough_extents() const {
 /// neighbouring samples.
 int MachinePath::samples_with_tip_control() const {
   constexpr double between = 15;  // rotation between two samples, degrees
-  double way = 0;
+  double rotation = 0;
   for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
-    way = std::max(way, std::fabs(end_[axis] - from_.machine[axis]));
+    rotation = std::max(rotation, std::fabs(end_[axis] - from_.machine[axis]));
   }
   constexpr int most = 1000;
   const int least = motion_.detail && motion_.detail->tip_path ? 8 : 2;
-  return std::clamp(static_cast<int>(way / between) + least, curve_.samples(), std::max(curve_.samples(), most));
+  return std::clamp(static_cast<int>(rotation / between) + least, curve_.samples(), std::max(curve_.samples(), most));
 }
 
 /// Where rotary axes curve the path, the deviation from the chord is measured in the middle of a few pieces. The number of pieces follows
@@ -139,7 +140,7 @@ Extents MachinePath::extents(double from, double to) const {
   piece.turns = motion_.turns * (to - from);
   if (motion_.detail) {
     auto detail = std::make_shared<MotionDetail>(*motion_.detail);
-    for (double& way : detail->travel) way *= to - from;
+    for (double& travel : detail->travel) travel *= to - from;
     detail->flat_from = curve_.flat(from);
     detail->flat_to = curve_.flat(to);
     const SplinePart whole = detail->spline;

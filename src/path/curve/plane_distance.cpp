@@ -12,8 +12,8 @@ namespace {
 bool passes(const PlanePiece& arc, Vec2 arm) {
   if (std::fabs(arc.turns) >= 1) return true;
   const Vec2 first = (arc.turns > 0 ? arc.from : arc.to) - arc.center, last = (arc.turns > 0 ? arc.to : arc.from) - arc.center;
-  const bool behind = cross(first, arm) >= 0, before = cross(arm, last) >= 0;
-  return std::fabs(arc.turns) <= 0.5 ? behind && before : behind || before;
+  const bool after = cross(first, arm) >= 0, before = cross(arm, last) >= 0;
+  return std::fabs(arc.turns) <= 0.5 ? after && before : after || before;
 }
 
 double from_point(Vec2 p, const PlanePiece& piece) {
@@ -22,10 +22,10 @@ double from_point(Vec2 p, const PlanePiece& piece) {
     if (passes(piece, arm)) return std::fabs(length(arm) - piece.radius);
     return std::min(length(p - piece.from), length(p - piece.to));
   }
-  const Vec2 way = piece.to - piece.from;
-  const double square = dot(way, way);
-  const double part = square > 0 ? std::clamp(dot(p - piece.from, way) / square, 0.0, 1.0) : 0.0;
-  return length(p - piece.from - part * way);
+  const Vec2 delta = piece.to - piece.from;
+  const double square = dot(delta, delta);
+  const double part = square > 0 ? std::clamp(dot(p - piece.from, delta) / square, 0.0, 1.0) : 0.0;
+  return length(p - piece.from - part * delta);
 }
 
 bool lines_cross(const PlanePiece& a, const PlanePiece& b) {
@@ -39,16 +39,16 @@ bool lines_cross(const PlanePiece& a, const PlanePiece& b) {
 /// arc.
 double inner_line_arc(const PlanePiece& line, const PlanePiece& arc) {
   constexpr double none = HUGE_VAL;
-  const Vec2 way = line.to - line.from;
-  const double square = dot(way, way);
+  const Vec2 delta = line.to - line.from;
+  const double square = dot(delta, delta);
   if (square == 0) return none;
-  const double part = dot(arc.center - line.from, way) / square;
-  const Vec2 foot = line.from + part * way;
+  const double part = dot(arc.center - line.from, delta) / square;
+  const Vec2 foot = line.from + part * delta;
   const double height = length(foot - arc.center);
   if (height > arc.radius) return part >= 0 && part <= 1 && passes(arc, foot - arc.center) ? height - arc.radius : none;
   const double half = std::sqrt((arc.radius * arc.radius - height * height) / square);
   for (const double at : {part - half, part + half})
-    if (at >= 0 && at <= 1 && passes(arc, line.from + at * way - arc.center)) return 0;
+    if (at >= 0 && at <= 1 && passes(arc, line.from + at * delta - arc.center)) return 0;
   return none;
 }
 

@@ -26,9 +26,9 @@ inline void shift_in_plane(Motion& motion, std::size_t first, std::size_t second
     if ((parked >> i & 1U) == 0) motion.machine[i] += now[i] - before[i];
   if (!motion.detail) return;
   for (const Follower& f : motion.detail->followers) {
-    const double way = f.sign * (now[f.master] - before[f.master]);
-    motion.to[f.axis] += way;
-    if ((parked >> f.axis & 1U) == 0) motion.machine[f.axis] += way;
+    const double travel = f.sign * (now[f.master] - before[f.master]);
+    motion.to[f.axis] += travel;
+    if ((parked >> f.axis & 1U) == 0) motion.machine[f.axis] += travel;
   }
 }
 

@@ -28,9 +28,9 @@ double part_of_angle(const Edge& arc, const Circle& c, Vec2 p) {
 
 /// Returns the fraction of the line's length at which the line is nearest to `p`. The fraction is not limited to 0 to 1.
 double line_part(const Edge& e, Vec2 p) {
-  const Vec2 way = e.to - e.from;
-  const double size = dot(way, way);
-  return size > 0 ? dot(p - e.from, way) / size : 0;
+  const Vec2 delta = e.to - e.from;
+  const double size = dot(delta, delta);
+  return size > 0 ? dot(p - e.from, delta) / size : 0;
 }
 
 bool on_edge(const Edge& e, Vec2 p) { return distance(e, p) < tol::same_point; }
@@ -40,23 +40,23 @@ void add_meeting(std::vector<Vec2>& points, const Edge& a, const Edge& b, Vec2 p
 }
 
 void line_circle(std::vector<Vec2>& points, const Edge& a, const Edge& b, const Edge& line, const Circle& c) {
-  const Vec2 way = line.to - line.from;
-  const Vec2 foot = line.from + line_part(line, c.centre) * way;
+  const Vec2 delta = line.to - line.from;
+  const Vec2 foot = line.from + line_part(line, c.centre) * delta;
   const double away = length(foot - c.centre);
   const double half = std::sqrt(std::max(0.0, (c.radius - away) * (c.radius + away)));
-  const Vec2 unit = (1 / length(way)) * way;
+  const Vec2 unit = (1 / length(delta)) * delta;
   add_meeting(points, a, b, foot + half * unit);
   if (half > 0) add_meeting(points, a, b, foot - half * unit);
 }
 
 void circle_circle(std::vector<Vec2>& points, const Edge& a, const Edge& b) {
   const Circle p = circle_of(a), q = circle_of(b);
-  const Vec2 way = q.centre - p.centre;
-  const double apart = length(way);
+  const Vec2 delta = q.centre - p.centre;
+  const double apart = length(delta);
   if (apart < tol::same_point) return;  // The circles are equal or concentric, so only the end points of the arcs can be common points.
   const double along = (apart * apart + (p.radius - q.radius) * (p.radius + q.radius)) / (2 * apart);
   const double half = std::sqrt(std::max(0.0, (p.radius - along) * (p.radius + along)));
-  const Vec2 unit = (1 / apart) * way, foot = p.centre + along * unit;
+  const Vec2 unit = (1 / apart) * delta, foot = p.centre + along * unit;
   add_meeting(points, a, b, foot + half * left_of(unit));
   if (half > 0) add_meeting(points, a, b, foot - half * left_of(unit));
 }
@@ -70,9 +70,9 @@ PlanePiece piece_of(const Edge& e) {
 }  // namespace
 
 Circle circle_of(const Edge& arc) {
-  const Vec2 way = arc.to - arc.from;
-  const Vec2 centre = 0.5 * (arc.from + arc.to) + ((1 - arc.bulge) * (1 + arc.bulge) / (4 * arc.bulge)) * left_of(way);
-  return {centre, length(way) * (1 + arc.bulge * arc.bulge) / (4 * std::abs(arc.bulge))};
+  const Vec2 delta = arc.to - arc.from;
+  const Vec2 centre = 0.5 * (arc.from + arc.to) + ((1 - arc.bulge) * (1 + arc.bulge) / (4 * arc.bulge)) * left_of(delta);
+  return {centre, length(delta) * (1 + arc.bulge * arc.bulge) / (4 * std::abs(arc.bulge))};
 }
 
 double length_of(const Edge& e) {
@@ -108,7 +108,7 @@ Vec2 direction(const Edge& e, double part) {
   return is_line(e) ? unit : kadr::rotated(unit, (part - 0.5) * swept_deg(e));
 }
 
-Edge stretch(const Edge& e, double from, double to) {
+Edge section(const Edge& e, double from, double to) {
   Edge piece = e;
   piece.from = at(e, from);
   piece.to = at(e, to);
@@ -168,9 +168,9 @@ Bounds bounds_of(const Edges& path) {
 
 Edge rotated(const Edge& e, double deg) { return {kadr::rotated(e.from, deg), kadr::rotated(e.to, deg), e.bulge, e.open, e.line}; }
 
-Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to) {
+Edges tangent_arc(Vec2 from, Vec2 tangent, Vec2 to) {
   const Vec2 chord = to - from;
-  const double half = std::atan2(cross(way, chord), dot(way, chord));  // half of the swept angle of the arc, rad
+  const double half = std::atan2(cross(tangent, chord), dot(tangent, chord));  // half of the swept angle of the arc, rad
   if (std::abs(half) < tol::tangential) return {{from, to}};
   if (std::abs(half) <= pi / 2) return {{from, to, std::tan(half / 2)}};
   const Vec2 middle = 0.5 * (from + to) + (std::tan(half / 2) / 2) * Vec2{chord.y, -chord.x};

@@ -24,7 +24,7 @@ Vec2 at(const Edge& e, double part);
 /// Returns the direction of travel, a unit vector, at the fraction `part` of the edge's length.
 Vec2 direction(const Edge& e, double part);
 /// Returns the section of the edge between two fractions of its length.
-Edge stretch(const Edge& e, double from, double to);
+Edge section(const Edge& e, double from, double to);
 /// Returns the position at which the edge is nearest to `p`, as a fraction (0 to 1) of the edge's length.
 double nearest_part(const Edge& e, Vec2 p);
 double distance(const Edge& e, Vec2 p);
@@ -49,8 +49,8 @@ Bounds bounds_of(const Edges& path);
 /// Returns the edge rotated about the origin by `deg` degrees, counter-clockwise.
 Edge rotated(const Edge& e, double deg);
 
-/// Returns the circular arc from `from` to `to` that starts in the direction `way`. If `to` lies straight ahead, the result is a line. An
-/// arc that is longer than half a circle becomes two edges.
-Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to);
+/// Returns the circular arc from `from` to `to` that starts in the direction `tangent`. If `to` lies straight ahead, the result is a line.
+/// An arc that is longer than half a circle becomes two edges.
+Edges tangent_arc(Vec2 from, Vec2 tangent, Vec2 to);
 
 }  // namespace kadr::area

@@ -18,10 +18,12 @@ namespace {
 constexpr double off = 3 * tol::area_chord;
 constexpr std::size_t across = 64;  // number of grid cells of the carrier index in each direction
 
-double away(const Carrier& c, Vec2 p) { return c.line ? std::abs(cross(c.way, p - c.point)) : std::abs(length(p - c.point) - c.radius); }
+double away(const Carrier& c, Vec2 p) {
+  return c.line ? std::abs(cross(c.direction, p - c.point)) : std::abs(length(p - c.point) - c.radius);
+}
 
 Vec2 on_carrier(const Carrier& c, Vec2 p) {
-  if (c.line) return c.point + dot(c.way, p - c.point) * c.way;
+  if (c.line) return c.point + dot(c.direction, p - c.point) * c.direction;
   const Vec2 out = p - c.point;
   return c.point + (c.radius / std::max(length(out), tol::same_point)) * out;
 }
@@ -35,28 +37,28 @@ bool carries(const Carrier& c, Vec2 a, Vec2 b) {
 }
 
 void add_feet(std::vector<Vec2>& points, const Carrier& line, const Carrier& circle) {
-  const Vec2 foot = line.point + dot(line.way, circle.point - line.point) * line.way;
+  const Vec2 foot = line.point + dot(line.direction, circle.point - line.point) * line.direction;
   const double apart = length(foot - circle.point);
   if (apart > circle.radius + off) return;
   const double half = std::sqrt(std::max(0.0, (circle.radius - apart) * (circle.radius + apart)));
-  points.push_back(foot + half * line.way);
-  points.push_back(foot - half * line.way);
+  points.push_back(foot + half * line.direction);
+  points.push_back(foot - half * line.direction);
 }
 
 std::vector<Vec2> meetings(const Carrier& a, const Carrier& b) {
   std::vector<Vec2> points;
   if (a.line && b.line) {
-    const double turn = cross(a.way, b.way);
-    if (std::abs(turn) > tol::tangential) points.push_back(a.point + (cross(b.point - a.point, b.way) / turn) * a.way);
+    const double turn = cross(a.direction, b.direction);
+    if (std::abs(turn) > tol::tangential) points.push_back(a.point + (cross(b.point - a.point, b.direction) / turn) * a.direction);
   } else if (a.line) add_feet(points, a, b);
   else if (b.line) add_feet(points, b, a);
   else {
-    const Vec2 way = b.point - a.point;
-    const double apart = length(way);
+    const Vec2 delta = b.point - a.point;
+    const double apart = length(delta);
     if (apart < tol::same_point || apart > a.radius + b.radius + off || apart < std::abs(a.radius - b.radius) - off) return points;
     const double along = (apart * apart + (a.radius - b.radius) * (a.radius + b.radius)) / (2 * apart);
     const double half = std::sqrt(std::max(0.0, (a.radius - along) * (a.radius + along)));
-    const Vec2 unit = (1 / apart) * way;
+    const Vec2 unit = (1 / apart) * delta;
     for (const double side : {half, -half}) points.push_back(a.point + along * unit + side * Vec2{-unit.y, unit.x});
   }
   return points;
@@ -97,9 +99,9 @@ void Carriers::add(const Edges& source, double by) {
   };
   for (const Edge& e : source) {
     if (is_line(e)) {
-      const Vec2 way = direction(e, 0), normal{-way.y, way.x};
-      boxed({true, e.from + by * normal, way, 0, {}}, e);
-      if (by > 0) boxed({true, e.from - by * normal, way, 0, {}}, e);
+      const Vec2 tangent = direction(e, 0), normal{-tangent.y, tangent.x};
+      boxed({true, e.from + by * normal, tangent, 0, {}}, e);
+      if (by > 0) boxed({true, e.from - by * normal, tangent, 0, {}}, e);
     } else {
       const Circle c = circle_of(e);
       boxed({false, c.centre, {}, c.radius + by, {}}, e);

@@ -20,7 +20,7 @@ Edges all_edges(const std::vector<Edges>& loops) {
 
 /// Appends the parts of a loop that are walls to `lines` as polylines; if `open` is true, the parts that are open sides. A polyline around
 /// the whole loop repeats its first two corners at its end.
-void add_stretches(const Edges& loop, bool open, Polygons& lines) {
+void add_sections(const Edges& loop, bool open, Polygons& lines) {
   const auto begin = std::find_if(loop.begin(), loop.end(), [&](const Edge& e) { return e.open != open; });
   if (begin == loop.end()) {
     Polygon around = flattened(loop, chord);
@@ -28,22 +28,22 @@ void add_stretches(const Edges& loop, bool open, Polygons& lines) {
     lines.push_back(around);
     return;
   }
-  Edges stretch;
+  Edges section;
   const auto flush = [&] {
-    if (!stretch.empty()) lines.push_back(flattened(stretch, chord));
-    stretch.clear();
+    if (!section.empty()) lines.push_back(flattened(section, chord));
+    section.clear();
   };
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Edge& e = loop[(static_cast<std::size_t>(begin - loop.begin()) + i) % loop.size()];
-    if (e.open == open) stretch.push_back(e);
+    if (e.open == open) section.push_back(e);
     else flush();
   }
   flush();
 }
 
-Polygons stretches(const Zone& zone, bool open) {
+Polygons sections(const Zone& zone, bool open) {
   Polygons lines;
-  for (const Edges& loop : zone.loops) add_stretches(loop, open, lines);
+  for (const Edges& loop : zone.loops) add_sections(loop, open, lines);
   return lines;
 }
 
@@ -61,8 +61,8 @@ class Fields {
     for (const Edges& loop : zone.loops)
       for (const Edge& e : loop) (e.open ? open_ : walls_).push_back(e);
     area_ = flattened(zone.loops, chord);
-    open_lines_ = stretches(zone, true);
-    kept_off_ = swept(stretches(zone, false), off_walls, chord);
+    open_lines_ = sections(zone, true);
+    next_to_walls_ = swept(sections(zone, false), off_walls, chord);
   }
 
   std::vector<Field> make() const {
@@ -81,8 +81,8 @@ class Fields {
       if (field.work.empty()) field.work = field.reach;
       field.work_area = flattened(field.work, chord);
       field.roomy = Room(grown(field.reach_area, tol::area_wall / 2, chord));
-      field.wanted = common(grown(field.reach_area, job_.radius, chord), area_);
-      if (field.wanted.empty()) continue;
+      field.required = common(grown(field.reach_area, job_.radius, chord), area_);
+      if (field.required.empty()) continue;
       fields.push_back(std::move(field));
     }
     return fields;
@@ -91,7 +91,7 @@ class Fields {
  private:
   Polygons centres(double beyond) const {
     const Polygons extended = beyond > 0 && !open_.empty() ? joined(area_, swept(open_lines_, beyond, chord, Ends::cut)) : area_;
-    return walls_.empty() ? extended : less(extended, kept_off_);
+    return walls_.empty() ? extended : less(extended, next_to_walls_);
   }
   Carriers carriers(double beyond) const {
     Carriers all;
@@ -103,7 +103,7 @@ class Fields {
   const Job& job_;
   double off_walls_;
   Edges walls_, open_;
-  Polygons area_, open_lines_, kept_off_;
+  Polygons area_, open_lines_, next_to_walls_;
 };
 
 }  // namespace
@@ -134,7 +134,7 @@ std::vector<Edges> rings_at(const Field& field, double by) {
 }
 
 Polygons uncut(const Field& field, const Job& job, const Polygons& paths) {
-  Polygons left = less(field.wanted, swept_all(paths, job.radius + tol::area_cusp, 10 * chord, job.watch));
+  Polygons left = less(field.required, swept_all(paths, job.radius + tol::area_cusp, 10 * chord, job.watch));
   std::erase_if(left, [](const Polygon& p) { return std::abs(area_of({p})) < tol::area_cusp * tol::area_cusp; });
   return left;
 }

@@ -12,14 +12,14 @@ namespace kadr::area {
 struct Field {
   std::vector<Edges> reach;  // Boundary of the area that the tool's centre may reach, as exact closed loops.
   Polygons reach_area;
-  // Boundary of the area that the passes of the scheme cover. At open sides it is smaller than `reach`. The parts of `wanted` that these
+  // Boundary of the area that the passes of the scheme cover. At open sides it is smaller than `reach`. The parts of `required` that these
   // passes leave uncut are cut along `reach`.
   std::vector<Edges> work;
   Polygons work_area;
   Room roomy;   // The slightly enlarged `reach_area`, inside which the tool's centre must stay.
   Edges walls;  // walls of the zone
   Polygons zone;
-  Polygons wanted;  // The part of the zone that the tool can clear: the zone without corners and narrow parts.
+  Polygons required;  // The part of the zone that the tool can clear: the zone without corners and narrow parts.
 };
 
 /// Returns the fields of a zone. The list is empty if the tool does not fit anywhere.
@@ -34,7 +34,7 @@ bool in_air(const Field& field, const Job& job, Vec2 p);
 /// Returns exact closed loops inside the work area at the distance `by`, mm, from its boundary.
 std::vector<Edges> rings_at(const Field& field, double by);
 
-/// Returns the part of `wanted` that the paths leave uncut. The cusps between passes are not included.
+/// Returns the part of `required` that the paths leave uncut. The cusps between passes are not included.
 Polygons uncut(const Field& field, const Job& job, const Polygons& paths);
 
 }  // namespace kadr::area

@@ -31,9 +31,9 @@ class Layers {
     for (const double level : levels) {
       level_ = level;
       cut_.clear();
-      for (std::size_t k = 0; k < passes.size() && !job_.watch.stop.asked(); ++k) {
+      for (std::size_t k = 0; k < passes.size() && !job_.watch.stop.requested(); ++k) {
         pass(passes[k], k == 0);
-        job_.watch.tell(Stage::path, double(k) / double(passes.size()));
+        job_.watch.report_progress(Stage::path, double(k) / double(passes.size()));
       }
       ground_ = level;
     }
@@ -75,7 +75,7 @@ class Layers {
     // If the start is so near, a lift would end at about the position where it began, so the tool is not lifted.
     if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)
       if (const auto begun = pass_start_from(*field_, job_, pass, here(), out_)) {
-        cut(begun->way);
+        cut(begun->link);
         return cut(begun->path);
       }
     leave(pass);
@@ -122,19 +122,19 @@ class Layers {
   /// Moves the tool to the start in the plane, from a position that is already cut on this level. If there is no such position, the tool
   /// plunges through a hole.
   void enter_by_hole(Vec2 start, bool again) {
-    if (const auto beside = again ? cut_beside(start) : std::nullopt) {
-      descend(*beside, again);
-      return cut({{*beside, start}});
+    if (const auto cut_place = again ? cut_place_near(start) : std::nullopt) {
+      descend(*cut_place, again);
+      return cut({{*cut_place, start}});
     }
     Vec2 hole = start;
-    std::optional<Edges> way;
+    std::optional<Edges> link;
     if (job_.hole && contains(field_->roomy.area(), *job_.hole)) {
-      way = way_between(*field_, *job_.hole, start, 1e9);
-      if (way) hole = *job_.hole, hole_used_ = true;
+      link = link_between(*field_, *job_.hole, start, 1e9);
+      if (link) hole = *job_.hole, hole_used_ = true;
     }
     drill_before(hole);
     descend(hole, again);
-    if (way) cut(*way);
+    if (link) cut(*link);
   }
 
   void drill_before(Vec2 hole) {
@@ -148,10 +148,10 @@ class Layers {
   void enter_drilled(Vec2 start, bool again) {
     ++path_.plunges.no_room;
     for (const Vec2 hole : path_.holes)
-      if (const auto way = way_between(*field_, hole, start, 6 * job_.radius)) {
+      if (const auto link = link_between(*field_, hole, start, 6 * job_.radius)) {
         drill_before(hole);
         descend(hole, again);
-        return cut(*way);
+        return cut(*link);
       }
     drill_before(start);
     descend(start, again);
@@ -166,8 +166,8 @@ class Layers {
   void approach(Vec2 point, bool again) {
     const double detour = again ? job_.radius - length(point - here()) : 6 * job_.radius;
     if (at_.z < job_.top && detour > 0)
-      if (const auto way = way_between(*field_, here(), point, detour)) {
-        for (const Edge& e : *way) go(MoveKind::feed, {e.to.x, e.to.y, at_.z}, e.bulge);
+      if (const auto link = link_between(*field_, here(), point, detour)) {
+        for (const Edge& e : *link) go(MoveKind::feed, {e.to.x, e.to.y, at_.z}, e.bulge);
         return;
       }
     if (at_.z < job_.top + job_.clearance) {
@@ -231,7 +231,7 @@ class Layers {
 
   /// Returns the nearest point that the tool has already cut on this level and from which the tool can move straight to `start`; nullopt if
   /// there is no such point.
-  std::optional<Vec2> cut_beside(Vec2 start) const {
+  std::optional<Vec2> cut_place_near(Vec2 start) const {
     std::vector<Vec2> points;
     for (const Edge& e : cut_) points.push_back(at(e, nearest_part(e, start)));
     std::sort(points.begin(), points.end(), [&](Vec2 a, Vec2 b) { return length(a - start) < length(b - start); });
@@ -274,7 +274,7 @@ Result<AreaPath> milled(const std::vector<Field>& fields, std::vector<Passes> pa
   Layers layers(job, path);
   for (std::size_t i = 0; i < fields.size(); ++i)
     if (!passes[i].empty()) layers.mill(fields[i], std::move(passes[i]));
-  if (job.watch.stop.asked()) return fail(alarm(AlarmId::interrupted, {}));
+  if (job.watch.stop.requested()) return fail(alarm(AlarmId::interrupted, {}));
   if (path.moves.empty()) return fail(alarm(AlarmId::tool_does_not_fit, {}, 2 * job.radius));
   if (job.hole && job.plunge == Plunge::hole && !layers.uses_hole()) return fail(alarm(AlarmId::mill_hole, {}, job.hole->x, job.hole->y));
   return path;
@@ -296,7 +296,7 @@ Result<AreaPath> area_path(const std::vector<Zone>& zones, const Job& job) {
   std::vector<Passes> passes;
   for (const Field& field : fields) {
     auto covering = passes_of(field, job);
-    if (job.watch.stop.asked()) return fail(alarm(AlarmId::interrupted, {}));
+    if (job.watch.stop.requested()) return fail(alarm(AlarmId::interrupted, {}));
     if (!covering) return tl::unexpected(covering.error());
     passes.push_back(std::move(*covering));
   }

@@ -43,8 +43,8 @@ Edges around(const Edges& loop, const Place& from, const Place& to) {
   const Edges ring = begun_at(loop, from.edge, from.part);
   const Place end = nearest(ring, at(loop[to.edge], to.part));
   Edges forth(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(end.edge));
-  forth.push_back(stretch(ring[end.edge], 0, end.part));
-  Edges back{stretch(ring[end.edge], end.part, 1)};
+  forth.push_back(section(ring[end.edge], 0, end.part));
+  Edges back{section(ring[end.edge], end.part, 1)};
   back.insert(back.end(), ring.begin() + static_cast<std::ptrdiff_t>(end.edge) + 1, ring.end());
   return length_of(forth) <= length_of(back) ? forth : reversed(back);
 }
@@ -55,16 +55,16 @@ void drop_points(Edges& path) {
 
 constexpr double shares[] = {1, 0.5, 0.25};  // Radii of the arcs to try, as fractions of the largest radius.
 
-Edge quarter(Vec2 from, Vec2 way, double radius, double side) {
-  const Vec2 normal{-side * way.y, side * way.x};
-  return {from, from + radius * way + radius * normal, side * std::tan(pi / 8)};
+Edge quarter(Vec2 from, Vec2 tangent, double radius, double side) {
+  const Vec2 normal{-side * tangent.y, side * tangent.x};
+  return {from, from + radius * tangent + radius * normal, side * std::tan(pi / 8)};
 }
 
 }  // namespace
 
 std::optional<Edges> double_arc(Vec2 from, Vec2 out, Vec2 to, Vec2 in) {
-  const Vec2 way = to - from;
-  const double a = 2 * (1 - dot(out, in)), b = dot(way, out + in), c = dot(way, way);
+  const Vec2 delta = to - from;
+  const double a = 2 * (1 - dot(out, in)), b = dot(delta, out + in), c = dot(delta, delta);
   if (!(b > 0)) return std::nullopt;
   const double reach = a < tol::tangential ? c / (2 * b) : (std::sqrt(b * b + a * c) - b) / a;
   const Vec2 middle = 0.5 * (from + to + reach * (out - in));
@@ -75,7 +75,7 @@ std::optional<Edges> double_arc(Vec2 from, Vec2 out, Vec2 to, Vec2 in) {
   return path;
 }
 
-std::optional<Edges> way_between(const Field& field, Vec2 from, Vec2 to, double detour) {
+std::optional<Edges> link_between(const Field& field, Vec2 from, Vec2 to, double detour) {
   const Edges straight{{from, to}};
   if (length(to - from) < tol::same_point) return Edges();
   if (holds(field, straight)) return straight;
@@ -106,9 +106,9 @@ std::optional<PassStart> pass_start_from(const Field& field, const Job& job, con
   if (!pass.closed) {
     const bool turn = !pass.lifted && length(pass.path.back().to - from) < length(pass.path.front().from - from);
     PassStart begun{{}, turn ? reversed(pass.path) : pass.path};
-    const auto way = way_between(field, from, begun.path.front().from, detour);
-    if (!way) return std::nullopt;
-    begun.way = *way;
+    const auto link = link_between(field, from, begun.path.front().from, detour);
+    if (!link) return std::nullopt;
+    begun.link = *link;
     return begun;
   }
   const Place near = nearest(pass.path, from);
@@ -118,16 +118,16 @@ std::optional<PassStart> pass_start_from(const Field& field, const Job& job, con
     const auto arcs = double_arc(from, *out, at(e, place.part), direction(e, place.part));
     if (arcs && near.far < 2 * job.step && holds(field, *arcs)) return PassStart{*arcs, begun_at(pass.path, place.edge, place.part)};
   }
-  const auto way = way_between(field, from, at(pass.path[near.edge], near.part), detour);
-  if (!way) return std::nullopt;
-  return PassStart{*way, begun_at(pass.path, near.edge, near.part)};
+  const auto link = link_between(field, from, at(pass.path[near.edge], near.part), detour);
+  if (!link) return std::nullopt;
+  return PassStart{*link, begun_at(pass.path, near.edge, near.part)};
 }
 
 std::optional<Edge> arc_into(const Field& field, const Job& job, const Edges& path) {
-  const Vec2 way = direction(path.front(), 0);
+  const Vec2 tangent = direction(path.front(), 0);
   for (const double share : shares)
     for (const double side : {-1.0, 1.0}) {
-      const Edge arc = reversed(quarter(path.front().from, -1.0 * way, share * job.radius, side));
+      const Edge arc = reversed(quarter(path.front().from, -1.0 * tangent, share * job.radius, side));
       if (holds(field, {arc})) return arc;
     }
   return std::nullopt;

@@ -13,11 +13,11 @@ std::optional<Edges> double_arc(Vec2 from, Vec2 out, Vec2 to, Vec2 in);
 
 /// Returns a path between two points within the field: a straight line, or a path along the boundary that is at most `detour` mm longer
 /// than the straight line; nullopt if neither is possible.
-std::optional<Edges> way_between(const Field& field, Vec2 from, Vec2 to, double detour);
+std::optional<Edges> link_between(const Field& field, Vec2 from, Vec2 to, double detour);
 
-/// A pass with a chosen start. `way` is the path to the start; `path` is the pass from this start.
+/// A pass with a chosen start. `link` is the path to the start; `path` is the pass from this start.
 struct PassStart {
-  Edges way;
+  Edges link;
   Edges path;
 };
 

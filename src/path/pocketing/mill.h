@@ -36,7 +36,7 @@ enum class Stage : std::uint8_t { passes, path, verification };
 struct Watch {
   StopToken stop;
   std::function<void(Stage, double part)> show;
-  void tell(Stage stage, double part) const {
+  void report_progress(Stage stage, double part) const {
     if (show) show(stage, part);
   }
 };

@@ -36,9 +36,9 @@ Edges along(const Polygon& corners, const Carriers& carriers) { return carriers.
 Edges begun_at(const Edges& ring, std::size_t edge, double part) {
   Edges path;
   const Edge& first = ring[edge];
-  if (part < 1) path.push_back(stretch(first, part, 1));
+  if (part < 1) path.push_back(section(first, part, 1));
   for (std::size_t i = 1; i < ring.size(); ++i) path.push_back(ring[(edge + i) % ring.size()]);
-  if (part > 0) path.push_back(stretch(first, 0, part));
+  if (part > 0) path.push_back(section(first, 0, part));
   std::erase_if(path, [](const Edge& e) { return length(e.to - e.from) < tol::same_point; });
   return path;
 }
@@ -79,7 +79,7 @@ Result<Passes> passes_of(const Field& field, const Job& job) {
   if (before) passes->insert(passes->begin(), contour.begin(), contour.end());
   if (after) passes->insert(passes->end(), contour.begin(), contour.end());
   constexpr int rounds = 3;  // Each round cuts what the passes of the previous round left uncut.
-  for (int round = 0; round < rounds && !job.watch.stop.asked(); ++round) {
+  for (int round = 0; round < rounds && !job.watch.stop.requested(); ++round) {
     const Passes rest = rest_passes(field, job, *passes);
     if (rest.empty()) break;
     passes->insert(passes->end(), rest.begin(), rest.end());

@@ -40,7 +40,7 @@ Edges beginning(const Edges& path, double most) {
   Edges piece;
   for (const Edge& e : path) {
     const double whole = length_of(e);
-    piece.push_back(whole <= most ? e : stretch(e, 0, most / whole));
+    piece.push_back(whole <= most ? e : section(e, 0, most / whole));
     most -= whole;
     if (most <= 0) break;
   }
@@ -78,20 +78,20 @@ class Search {
   }
 
   /// Returns the corner points of a path if the path stays in the field; otherwise nullopt.
-  std::optional<Polygon> held(const Edges& way) const {
+  std::optional<Polygon> held(const Edges& path) const {
     for (const double chord : {coarse, fine}) {
-      Polygon corners = flattened(way, chord);
-      if (length(corners.back() - way.back().to) > tol::same_point) corners.push_back(way.back().to);
+      Polygon corners = flattened(path, chord);
+      if (length(corners.back() - path.back().to) > tol::same_point) corners.push_back(path.back().to);
       if (field_.roomy.holds(corners, tol::area_chord)) return corners;
     }
     return std::nullopt;
   }
 
-  void try_along(const Edges& way) {
-    if (way.empty()) return;
-    const bool closed = length(way.back().to - way.front().from) < tol::same_point;
-    const bool round = closed && length_of(way) <= stroke_;
-    if (const auto corners = held(beginning(way, stroke_))) offer(*corners, round, false);
+  void try_along(const Edges& path) {
+    if (path.empty()) return;
+    const bool closed = length(path.back().to - path.front().from) < tol::same_point;
+    const bool round = closed && length_of(path) <= stroke_;
+    if (const auto corners = held(beginning(path, stroke_))) offer(*corners, round, false);
   }
 
   void try_pass() { try_along(path_); }
@@ -122,9 +122,9 @@ class Search {
     for (const Edges& loop : field_.reach)
       for (const Edges& ring : {begun_near(loop, start), reversed(begun_near(loop, start))}) {
         if (found() || ring.empty()) continue;
-        Edges way = ring;
-        if (length(ring.front().from - start) > tol::same_point) way.insert(way.begin(), Edge{start, ring.front().from});
-        try_along(way);
+        Edges path = ring;
+        if (length(ring.front().from - start) > tol::same_point) path.insert(path.begin(), Edge{start, ring.front().from});
+        try_along(path);
       }
   }
 

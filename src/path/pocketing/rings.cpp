@@ -50,8 +50,8 @@ class RingTree {
     std::size_t first = 0;  // index of the first ring of the previous level
     for (std::size_t level = 0;; ++level) {
       const std::size_t here = rings_.size();
-      if (job.watch.stop.asked()) return true;
-      job.watch.tell(Stage::passes, std::min(1.0, step * static_cast<double>(level) / deepest));
+      if (job.watch.stop.requested()) return true;
+      job.watch.report_progress(Stage::passes, std::min(1.0, step * static_cast<double>(level) / deepest));
       for (Edges& path : rings_at(field, step * static_cast<double>(level))) {
         Bounds box = bounds_of(path);
         rings_.push_back({std::move(path), box, {}});
@@ -78,22 +78,22 @@ class RingTree {
   /// Visits the rings that are connected with `root`, depth first. The function is not recursive, because there may be thousands of levels.
   void visit(std::size_t root) {
     // The current path in the tree. Each entry is a ring and the index of its inner ring that is visited next.
-    std::vector<std::pair<std::size_t, std::size_t>> way;
+    std::vector<std::pair<std::size_t, std::size_t>> visiting;
     const auto enter = [&](std::size_t ring) {
       if (seen_[ring]) return;
       seen_[ring] = true;
       if (!outwards_) passes_.push_back({rings_[ring].path, true});
-      way.emplace_back(ring, 0);
+      visiting.emplace_back(ring, 0);
     };
     enter(root);
-    while (!way.empty()) {
-      auto& [ring, next] = way.back();
+    while (!visiting.empty()) {
+      auto& [ring, next] = visiting.back();
       if (next < rings_[ring].inner.size()) {
         enter(rings_[ring].inner[next++]);
         continue;
       }
       if (outwards_) passes_.push_back({rings_[ring].path, true});
-      way.pop_back();
+      visiting.pop_back();
     }
   }
 

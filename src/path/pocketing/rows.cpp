@@ -41,7 +41,7 @@ void add_monotone(Edges& loop, const Edge& e) {
     if (part > tol::tangential && part < 1 - tol::tangential) cuts.push_back(part);
   }
   std::sort(cuts.begin(), cuts.end());
-  for (std::size_t i = 1; i < cuts.size(); ++i) loop.push_back(stretch(e, cuts[i - 1], cuts[i]));
+  for (std::size_t i = 1; i < cuts.size(); ++i) loop.push_back(section(e, cuts[i - 1], cuts[i]));
 }
 
 class Rows {
@@ -116,7 +116,7 @@ class Rows {
     const double height = range_.most.y - range_.least.y;
     if (!(height > 2 * nudge)) return cross_row(0.5 * (range_.least.y + range_.most.y));
     const int count = std::max(1, static_cast<int>(std::ceil(height / job_.step - tol::tangential)));
-    for (int i = 0; i <= count && !job_.watch.stop.asked(); ++i)
+    for (int i = 0; i <= count && !job_.watch.stop.requested(); ++i)
       cross_row(std::clamp(range_.least.y + height * i / count, range_.least.y + nudge, range_.most.y - nudge));
   }
 
@@ -154,10 +154,10 @@ class Rows {
   Edges boundary(std::size_t from) const {
     const Crossing &a = crossings_[from], &b = crossings_[a.next];
     const Edges& loop = loops_[a.loop];
-    if (a.edge == b.edge && a.part < b.part) return {stretch(loop[a.edge], a.part, b.part)};
-    Edges path{stretch(loop[a.edge], a.part, 1)};
+    if (a.edge == b.edge && a.part < b.part) return {section(loop[a.edge], a.part, b.part)};
+    Edges path{section(loop[a.edge], a.part, 1)};
     for (std::size_t i = (a.edge + 1) % loop.size(); i != b.edge; i = (i + 1) % loop.size()) path.push_back(loop[i]);
-    path.push_back(stretch(loop[b.edge], 0, b.part));
+    path.push_back(section(loop[b.edge], 0, b.part));
     std::erase_if(path, [](const Edge& e) { return length(e.to - e.from) < tol::same_point; });
     return path;
   }
@@ -204,8 +204,8 @@ class Rows {
   /// ends of each row.
   Edges through(const std::vector<std::size_t>& cell, bool up, bool right) const {
     Edges path;
-    for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i, right = !right) {
-      job_.watch.tell(Stage::passes, double(i) / double(cell.size()));
+    for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.requested(); ++i, right = !right) {
+      job_.watch.report_progress(Stage::passes, double(i) / double(cell.size()));
       const auto link = [&](std::size_t from, std::size_t to, bool at_right) { return side(up ? from : to, up ? to : from, at_right, up); };
       append(path, row(cell[i], right));
       if (follow_ && i > 0)
@@ -251,8 +251,8 @@ class Rows {
     for (std::size_t s = 0; s < spans_.size(); ++s) {
       if (spans_[s].done) continue;
       const std::vector<std::size_t> cell = cell_of(s);
-      for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i) {
-        job_.watch.tell(Stage::passes, double(passes.size()) / double(spans_.size()));
+      for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.requested(); ++i) {
+        job_.watch.report_progress(Stage::passes, double(passes.size()) / double(spans_.size()));
         Edges path;  // The tool moves down at the start of the previous row, where no material is left.
         if (i > 0 && follow_) path = side(cell[i - 1], cell[i], !right, true);
         else if (i > 0) path = {{begin_of(cell[i - 1], right), begin_of(cell[i], right)}};

@@ -27,11 +27,11 @@ class Sweep {
       : radius_(radius), chord_(chord), watch_(watch), count_(count) {}
 
   Polygons of(std::span<const Polygon> pieces) {
-    if (pieces.empty() || watch_.stop.asked()) return {};
+    if (pieces.empty() || watch_.stop.requested()) return {};
     std::size_t corners = 0;
     for (const Polygon& piece : pieces) corners += piece.size();
     if (pieces.size() == 1 || corners <= piece_corners) {
-      watch_.tell(Stage::verification, static_cast<double>(done_ += pieces.size()) / static_cast<double>(count_));
+      watch_.report_progress(Stage::verification, static_cast<double>(done_ += pieces.size()) / static_cast<double>(count_));
       return swept({pieces.begin(), pieces.end()}, radius_, chord_);
     }
     const std::size_t half = pieces.size() / 2;

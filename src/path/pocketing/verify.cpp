@@ -20,7 +20,7 @@ constexpr double same_level = tol::area_cusp;
 class Check {
  public:
   Check(const std::vector<Zone>& zones, const Job& job) : job_(job), levels_(levels_of(job)), cut_(levels_.size()) {
-    outcome_.wanted = job.radius + job.allowance;
+    outcome_.required = job.radius + job.allowance;
     outcome_.nearest_wall = std::numeric_limits<double>::infinity();
     for (const Zone& zone : zones) add(zone);
     room_ = Room(grown(allowed_, tol::area_wall, tol::area_chord));
@@ -29,7 +29,7 @@ class Check {
   Outcome run(const std::vector<Move>& moves) {
     for (std::size_t i = 1; i < moves.size() && !stopped(); ++i) {
       take(moves[i - 1].to, moves[i]);
-      job_.watch.tell(Stage::verification, double(i) / double(moves.size()));
+      job_.watch.report_progress(Stage::verification, double(i) / double(moves.size()));
     }
     for (std::size_t i = 0; i < levels_.size() && !stopped(); ++i) coverage(levels_[i], cut_[i]);
     if (stopped()) outcome_.fault = alarm(AlarmId::interrupted, {});
@@ -37,7 +37,7 @@ class Check {
   }
 
  private:
-  bool stopped() const { return job_.watch.stop.asked(); }
+  bool stopped() const { return job_.watch.stop.requested(); }
 
   void add(const Zone& zone) {
     Polygons area = flattened(zone.loops, tol::area_chord), open, walls;
@@ -50,11 +50,11 @@ class Check {
     allowed_ = joined(allowed_, joined(area, swept(open, job_.radius + job_.overrun, tol::area_chord)));
     Polygons left = job_.allowance > 0 ? less(area, swept(walls, job_.allowance, verified_chord)) : area;
     outcome_.out_of_reach += area_of(left) - area_of(area);
-    Polygons wanted = reachable(area, open, walls);
+    Polygons required = reachable(area, open, walls);
     // The areas of the fields are added for a slot whose width is exactly the tool's diameter, which reachable() ignores.
-    for (const Field& field : fields_of(zone, job_)) wanted = joined(wanted, field.wanted);
-    outcome_.out_of_reach = std::max(0.0, outcome_.out_of_reach - area_of(common(wanted, left)));
-    wanted_ = joined(wanted_, wanted);
+    for (const Field& field : fields_of(zone, job_)) required = joined(required, field.required);
+    outcome_.out_of_reach = std::max(0.0, outcome_.out_of_reach - area_of(common(required, left)));
+    required_ = joined(required_, required);
   }
 
   /// Returns the part of the zone that a tool can cut without coming too near to a wall, from inside the zone or from beyond its open
@@ -91,8 +91,8 @@ class Check {
       if (!around.near(box, std::min(outcome_.nearest_wall, 1e6))) continue;
       outcome_.nearest_wall = std::min(outcome_.nearest_wall, distance(e, wall));
     }
-    if (outcome_.nearest_wall < outcome_.wanted - tol::area_wall)
-      fault(alarm(AlarmId::mill_wall, {}, outcome_.nearest_wall, outcome_.wanted, level));
+    if (outcome_.nearest_wall < outcome_.required - tol::area_wall)
+      fault(alarm(AlarmId::mill_wall, {}, outcome_.nearest_wall, outcome_.required, level));
   }
 
   void stay_inside(const Edge& e, double level) {
@@ -100,7 +100,7 @@ class Check {
     const Polygon corners = flattened({e}, tol::area_chord);
     if (room_.surely_holds(corners)) return;
     for (const Polygon& line : lines_outside({corners}, room_.area()))
-      if (length(line.back() - line.front()) > tol::area_wall) fault(alarm(AlarmId::mill_wall, {}, 0.0, outcome_.wanted, level));
+      if (length(line.back() - line.front()) > tol::area_wall) fault(alarm(AlarmId::mill_wall, {}, 0.0, outcome_.required, level));
   }
 
   void coverage(double level, const Edges& cut) {
@@ -112,7 +112,7 @@ class Check {
       else lines.push_back(std::move(corners));
     }
     double sum = 0;
-    for (const Polygons& part : parts_of(less(wanted_, swept_all(lines, job_.radius + tol::area_cusp, verified_chord, job_.watch)))) {
+    for (const Polygons& part : parts_of(less(required_, swept_all(lines, job_.radius + tol::area_cusp, verified_chord, job_.watch)))) {
       const double area = area_of(part);
       if (area > tol::area_cusp * tol::area_cusp) sum += area;
     }
@@ -123,7 +123,7 @@ class Check {
   const Job& job_;
   Outcome outcome_;
   std::vector<std::pair<Edge, Bounds>> walls_;
-  Polygons allowed_, wanted_;
+  Polygons allowed_, required_;
   Room room_;  // the area allowed_, enlarged by tol::area_wall
   std::vector<double> levels_;
   std::vector<Edges> cut_;  // the cut edges of the path, one list per level

@@ -12,7 +12,7 @@ struct Outcome {
   // The least distance, mm, between the tool's centre and a wall while the tool is below the level `top`. The value is infinite if the
   // zones have no walls.
   double nearest_wall = 0;
-  double wanted = 0;        // required distance, mm, between the tool's centre and a wall: tool radius plus allowance
+  double required = 0;      // required distance, mm, between the tool's centre and a wall: tool radius plus allowance
   double uncut = 0;         // Area, mm², that the tool could reach but leaves uncut, in the layer with the largest such area.
   double out_of_reach = 0;  // Area, mm², of the corners and narrow parts of the zones that the tool cannot reach.
   double length = 0;        // total length of all moves at feed, mm

@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr double stretch = 16;  // path length, mm, for which the sums are computed at once
+constexpr double block_length = 16;  // path length, mm, for which the sums are computed at once
 
 struct Pulse {
   std::array<double, 5> node, kink;  // The nodes of a pulse: `node` has the positions r_n, and `kink` has the changes of slope κ_n.
@@ -35,8 +35,8 @@ const Pulse& gentle_pulse_nodes() {
 void ChainSums::reach(const Corners& corners, double s) {
   if (s >= from_ && s <= to_) return;
   constexpr double widest = SoftCorner::widest;
-  const double first = s - 2 * widest, last = s + stretch + widest;
-  origin_ = s, from_ = s - widest, to_ = s + stretch;
+  const double first = s - 2 * widest, last = s + block_length + widest;
+  origin_ = s, from_ = s - widest, to_ = s + block_length;
   at_.clear();
   sums_.assign(groups_, Sums());
   for (auto i = static_cast<std::size_t>(std::lower_bound(corners.at.begin(), corners.at.end(), first) - corners.at.begin());
@@ -70,7 +70,7 @@ const ChainSums::Sums* ChainSums::before(std::size_t node, double y) {
 
 /// `Groups` is the number of groups of axes as a compile-time constant, so that the sums stay in registers.
 template <std::size_t Groups>
-void ChainSums::add_ways(double at, double width, double* x) {
+void ChainSums::add_shifts(double at, double width, double* x) {
   const Pulse& pulse = gentle_pulse_nodes();
   const double by = 1 / (6 * width * width);
   std::array<Four, Groups> sum{};
@@ -91,10 +91,10 @@ void ChainSums::move(const Corners& corners, double s, double width, double* x) 
   reach(corners, s);
   if (at_.size() == 1) return;
   switch (groups_) {
-    case 1: return add_ways<1>(s - origin_, width, x);
-    case 2: return add_ways<2>(s - origin_, width, x);
-    case 3: return add_ways<3>(s - origin_, width, x);
-    default: return add_ways<max_groups>(s - origin_, width, x);
+    case 1: return add_shifts<1>(s - origin_, width, x);
+    case 2: return add_shifts<2>(s - origin_, width, x);
+    case 3: return add_shifts<3>(s - origin_, width, x);
+    default: return add_shifts<max_groups>(s - origin_, width, x);
   }
 }
 
@@ -103,25 +103,25 @@ void ChainSums::move(const Corners& corners, double s, const WidthAt& width, dou
   if (at_.size() == 1) return;
   const Pulse& pulse = gentle_pulse_nodes();
   const double at = s - origin_, w = width.w, by = 1 / (w * w);
-  std::array<Four, max_groups> way{}, slope{}, bend{}, by_w{}, slope_by_w{};
+  std::array<Four, max_groups> shift{}, slope{}, bend{}, by_w{}, slope_by_w{};
   for (std::size_t n = 0; n < nodes; ++n) {
     const double r = pulse.node[n], y = at - r * w, part = pulse.kink[n] * by;
     const Sums* const sums = before(n, y);
     for (std::size_t g = 0; g < groups_; ++g) {
       const Sums& m = sums[g];
       const Four cubes = ((m.m0 * y - 3 * m.m1) * y + 3 * m.m2) * y - m.m3, squares = (m.m0 * y - 2 * m.m1) * y + m.m2,
-                 ways = m.m0 * y - m.m1;
-      way[g] += (part / 6) * cubes;
+                 lines = m.m0 * y - m.m1;
+      shift[g] += (part / 6) * cubes;
       slope[g] += (part / 2) * squares;
-      bend[g] += part * ways;
+      bend[g] += part * lines;
       by_w[g] -= part * (cubes / (3 * w) + (r / 2) * squares);
-      slope_by_w[g] -= part * (squares / w + r * ways);
-      if (n == nodes / 2) way[g] -= ways, slope[g] -= m.m0;
+      slope_by_w[g] -= part * (squares / w + r * lines);
+      if (n == nodes / 2) shift[g] -= lines, slope[g] -= m.m0;
     }
   }
   for (std::size_t a = 0; a < axes_; ++a) {
     const std::size_t g = a / group, i = a % group;
-    x[a] += way[g][i];
+    x[a] += shift[g][i];
     x1[a] += slope[g][i] + width.w1 * by_w[g][i];
     x2[a] += bend[g][i] + 2 * width.w1 * slope_by_w[g][i] + width.w2 * by_w[g][i];
   }

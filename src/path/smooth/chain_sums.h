@@ -55,7 +55,7 @@ class ChainSums {
   void reach(const Corners& corners, double s);
   const Sums* before(std::size_t node, double y);
   template <std::size_t Groups>
-  void add_ways(double at, double width, double* x);
+  void add_shifts(double at, double width, double* x);
 
   std::size_t axes_, groups_;
   double from_ = 1, to_ = 0;               // The sums are valid for path lengths from from_ to to_, in mm.

@@ -24,10 +24,10 @@ bool is_single_block_stop(const Action& action) {
 }
 
 /// Returns the travel, mm or degrees, of the axis with the longest travel.
-double longest_way(const Axes& from, const Axes& to) {
-  double way = 0;
-  for (std::size_t i = 0; i < max_axes; ++i) way = std::max(way, std::fabs(to[i] - from[i]));
-  return way;
+double longest_travel(const Axes& from, const Axes& to) {
+  double travel = 0;
+  for (std::size_t i = 0; i < max_axes; ++i) travel = std::max(travel, std::fabs(to[i] - from[i]));
+  return travel;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void Compression::join(Action& action) {
   if (held_) motion.named |= std::get<Motion>(held_->what).named;
   drop();
   held_before_ = false;
-  if (longest_way(from_, motion.to) > motion.join || motion.exact || motion.in_position) {
+  if (longest_travel(from_, motion.to) > motion.join || motion.exact || motion.in_position) {
     from_ = motion.to;
     out_.add() = std::move(action);
   } else {
@@ -74,7 +74,7 @@ void Compression::let_out() {
   if (!held_) return;
   const std::size_t size = out_.size();
   const Axes& to = std::get<Motion>(held_->what).to;
-  if (longest_way(from_, to) > 0) {
+  if (longest_travel(from_, to) > 0) {
     from_ = to;
     out_.add() = std::move(*held_);
   }

@@ -15,13 +15,13 @@ namespace kadr {
 /// Returns how far, mm, the single roundings move the path at the length s.
 double SmoothPath::moved(double s, std::size_t around) const {
   std::array<double, max_axes> sum{};
-  add_single_ways(s, around, sum.data());
+  add_single_shifts(s, around, sum.data());
   double squares = 0;
   for (std::size_t a = 0; a < axes_; ++a) squares += sum[a] * sum[a];
   return std::sqrt(squares);
 }
 
-void SmoothPath::add_single_ways(double s, std::size_t around, double* x) const {
+void SmoothPath::add_single_shifts(double s, std::size_t around, double* x) const {
   corners_near(s, around, reach_, [&](std::size_t i) {
     const Rounding& rounding = roundings_[i];
     const double part = std::fabs(s - at_[i]) * rounding.inverse;
@@ -38,8 +38,8 @@ double SmoothPath::moved_near_vertex(std::size_t vertex, int side) const {
   constexpr int places = 6;   // number of samples between the vertex and the greatest deviation to the outside
   constexpr int farther = 4;  // number of samples farther away from the vertex
   const double step = SoftCorner::of(turn_[vertex]).flank() * width_[vertex] / places, felt = (places + 1) * step;
-  const std::size_t beside = side < 0 ? vertex - 1 : vertex;
-  std::size_t next = side < 0 ? vertex - 1 : vertex + 1, piece = beside;
+  const std::size_t neighbour = side < 0 ? vertex - 1 : vertex;
+  std::size_t next = side < 0 ? vertex - 1 : vertex + 1, piece = neighbour;
   double most = 0;
   for (int k = 1; k <= places + 1; ++k) {
     const double s = at_[vertex] + side * k * step;
@@ -48,8 +48,9 @@ double SmoothPath::moved_near_vertex(std::size_t vertex, int side) const {
     if (side * (s - at_[next]) > 0) break;
     most = std::max(most, moved(s, piece));
   }
-  const double behind = std::min(length_[beside] / 2, reach_) - felt;
-  for (int k = 1; k <= farther && behind > 0; ++k) most = std::max(most, moved(at_[vertex] + side * (felt + k * behind / farther), beside));
+  const double sampled_length = std::min(length_[neighbour] / 2, reach_) - felt;
+  for (int k = 1; k <= farther && sampled_length > 0; ++k)
+    most = std::max(most, moved(at_[vertex] + side * (felt + k * sampled_length / farther), neighbour));
   return most;
 }
 
@@ -65,14 +66,14 @@ bool SmoothPath::overlaps(std::size_t vertex) const {
 /// Returns the fraction of the tolerance that a single rounding may use. Next to a chain of corners that are rounded together, a part of
 /// the tolerance is reserved for the rounding of these corners.
 double SmoothPath::share_alone(std::size_t vertex) const {
-  constexpr double beside_chain = 0.8;
+  constexpr double share_next_to_chain = 0.8;
   // Fraction of the tolerance. Corners that move the path by less than this fraction, even at the greatest width, are ignored.
   constexpr double faint = 0.02;
   bool any = false;
   corners_near(at_[vertex], vertex, width_[vertex] + widest, [&](std::size_t k) {
     any = any || (is_chained_[k] != 0 && widest * SoftCorner::of(turn_[k]).highest() * turn_[k] > faint * tolerance_[k]);
   });
-  return any ? beside_chain : 1;
+  return any ? share_next_to_chain : 1;
 }
 
 void SmoothPath::look_at_roundings(std::size_t first) {
@@ -140,7 +141,7 @@ void SmoothPath::round_single_ones(std::size_t first, const StopToken& stop) {
     if (is_chained_[i] == 0) reach_ = std::max(reach_, width_[i]);
   if (reach_ == 0) return;
   look_at_roundings(0);
-  for (int round = 0; round < max_rounds && !stop.asked() && shrink(first, at_.size() - 1); ++round) {
+  for (int round = 0; round < max_rounds && !stop.requested() && shrink(first, at_.size() - 1); ++round) {
   }
 }
 

@@ -115,7 +115,7 @@ void SmoothPath::forget(double before) {
 }
 
 /// Returns the squared distance, mm², of a point from a piece.
-double SmoothPath::squared_way_to(std::size_t piece, const double* x) const {
+double SmoothPath::squared_distance_to(std::size_t piece, const double* x) const {
   const double* const start = point_.data() + piece * axes_;
   double along = 0, squares = 0;
   for (std::size_t a = 0; a < axes_; ++a) along += (x[a] - start[a]) * direction(piece)[a];
@@ -138,14 +138,14 @@ double SmoothPath::tolerance_at(double s, std::size_t piece) const {
 }
 
 double SmoothPath::beyond(double s, std::size_t piece, const double* x, double part) const {
-  double least = squared_way_to(piece, x);
+  double least = squared_distance_to(piece, x);
   if (least == 0) return 0;
   const double tolerance = part * tolerance_at(s, piece);
   if (tolerance == 0 || least <= tolerance * tolerance) return 0;
   // Extent of the search to both sides of s, mm. The search finds the nearest piece, unless the path returns to the same position later.
   const double around = 4 * std::sqrt(least);
-  for (std::size_t i = piece; i-- > 0 && s - at_[i + 1] < around;) least = std::min(least, squared_way_to(i, x));
-  for (std::size_t i = piece + 1; i < pieces() && at_[i] - s < around; ++i) least = std::min(least, squared_way_to(i, x));
+  for (std::size_t i = piece; i-- > 0 && s - at_[i + 1] < around;) least = std::min(least, squared_distance_to(i, x));
+  for (std::size_t i = piece + 1; i < pieces() && at_[i] - s < around; ++i) least = std::min(least, squared_distance_to(i, x));
   return std::max(0.0, std::sqrt(least) / tolerance - 1);
 }
 

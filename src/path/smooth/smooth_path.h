@@ -116,7 +116,7 @@ class SmoothPath {
   void look_at_roundings(std::size_t first);
   bool shrink(std::size_t first, std::size_t end);
   void round_chain(bool last, const StopToken& stop);
-  void add_single_ways(double s, std::size_t around, double* x) const;
+  void add_single_shifts(double s, std::size_t around, double* x) const;
   double square_moved(double s, std::size_t around, double width);
   double square_near_vertex(std::size_t vertex, double width, double most);
   double widest_in_chain(std::size_t vertex, double width);
@@ -132,7 +132,7 @@ class SmoothPath {
   bool narrow(double known, bool first_round);
   void narrow_at(std::size_t piece, double over);
   double tolerance_at(double s, std::size_t piece) const;
-  double squared_way_to(std::size_t piece, const double* x) const;
+  double squared_distance_to(std::size_t piece, const double* x) const;
   template <class Take>
   void corners_near(double s, std::size_t around, double reach, const Take& take) const;
 

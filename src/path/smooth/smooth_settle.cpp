@@ -84,7 +84,7 @@ void SmoothPath::settle(bool last, StopToken stop) {
 double SmoothPath::square_moved(double s, std::size_t around, double width) {
   std::array<double, max_axes> sum{};
   sums_.move(chained(), s, width, sum.data());
-  if (reach_ > 0) add_single_ways(s, around, sum.data());
+  if (reach_ > 0) add_single_shifts(s, around, sum.data());
   double squares = 0;
   for (std::size_t a = 0; a < axes_; ++a) squares += sum[a] * sum[a];
   return squares;
@@ -95,12 +95,12 @@ double SmoothPath::square_moved(double s, std::size_t around, double width) {
 double SmoothPath::square_near_vertex(std::size_t vertex, double width, double most) {
   // The distance of a single corner's greatest outward deviation from the corner, as a fraction of the width.
   constexpr double flank = 0.65;
-  const double s = at_[vertex], behind = length_[vertex], before = length_[vertex - 1];
+  const double s = at_[vertex], after = length_[vertex], before = length_[vertex - 1];
   double square = square_moved(s, vertex, width);
-  if (square <= most && behind > 0.25 * width) square = std::max(square, square_moved(s + behind / 2, vertex, width));
-  if (square <= most && behind > 0.8 * width) {
-    square = std::max(square, square_moved(s + std::min(behind / 4, flank * width), vertex, width));
-    square = std::max(square, square_moved(s + (behind * 0.75 > 1.5 * width ? flank * width : behind * 0.75), vertex, width));
+  if (square <= most && after > 0.25 * width) square = std::max(square, square_moved(s + after / 2, vertex, width));
+  if (square <= most && after > 0.8 * width) {
+    square = std::max(square, square_moved(s + std::min(after / 4, flank * width), vertex, width));
+    square = std::max(square, square_moved(s + (after * 0.75 > 1.5 * width ? flank * width : after * 0.75), vertex, width));
   }
   if (square <= most && before > 0.8 * width)
     square = std::max(square, square_moved(s - std::min(flank * width, before / 2), vertex - 1, width));
@@ -151,13 +151,13 @@ void SmoothPath::open_widths() {
 void SmoothPath::round_chain(bool last, const StopToken& stop) {
   constexpr int max_rounds = 30;
   const double known = last ? at_.back() : at_.back() - felt_ahead;
-  for (std::size_t i = std::max<std::size_t>(done_, 1); i + 1 < at_.size() && at_[i] <= known && !stop.asked(); ++i) {
+  for (std::size_t i = std::max<std::size_t>(done_, 1); i + 1 < at_.size() && at_[i] <= known && !stop.requested(); ++i) {
     if (is_chained_[i] == 0 || in_chain_[i] > 0) continue;
     in_chain_[i] = last_width_ = widest_in_chain(i, last_width_);
   }
   open_widths();
   narrowed_.clear();
-  for (int round = 0; round < max_rounds && !stop.asked() && narrow(known, round == 0); ++round) open_widths();
+  for (int round = 0; round < max_rounds && !stop.requested() && narrow(known, round == 0); ++round) open_widths();
   for (std::size_t i = done_; i + 1 < at_.size(); ++i)
     if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
 }

@@ -28,10 +28,10 @@ double gentle_pulse(double r) { return start_acceleration((1 - r) * equal); }
 /// is the path length that both axes together have moved.
 double sharp_pulse(double r) {
   const auto gone = [](double t) { return start(equal + t) - start(equal - t); };
-  double before = 0, behind = equal;
+  double before = 0, after = equal;
   for (int halving = 0; halving < 60; ++halving) {
-    const double t = (before + behind) / 2;
-    (gone(t) < r * gone(equal) ? before : behind) = t;
+    const double t = (before + after) / 2;
+    (gone(t) < r * gone(equal) ? before : after) = t;
   }
   const double ends = start_speed(equal - before), starts = start_speed(equal + before), speed = ends + starts;
   const double slows = -start_acceleration(equal - before), quickens = start_acceleration(equal + before);

@@ -50,9 +50,9 @@ struct Ends {
     from = {at(stands.work, 0), at(stands.work, 1), at(stands.work, 2)};
     to = {at(motion.to, 0), at(motion.to, 1), at(motion.to, 2)};
   }
-  bool sideways() const { return turns || length(Vec2{to.x - from.x, to.y - from.y}) > least_way; }
-  bool down() const { return to.z < from.z - least_way; }
-  static constexpr double least_way = 1e-6;  // mm; a shorter travel counts as no travel
+  bool sideways() const { return turns || length(Vec2{to.x - from.x, to.y - from.y}) > least_travel; }
+  bool down() const { return to.z < from.z - least_travel; }
+  static constexpr double least_travel = 1e-6;  // mm; a shorter travel counts as no travel
 };
 
 }  // namespace kadr

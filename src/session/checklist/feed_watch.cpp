@@ -48,7 +48,7 @@ void FeedWatch::take_motion(const Step& step, const Motion& motion, Advices& to)
   const Origin& origin = step.action.origin;
   if (motion.in_hole == HoleWork::taps && motion.kind == MotionKind::feed) return take_tap(motion, origin, to);
   const Ends ends(step.roles, step.from, motion);
-  const bool moves = ends.sideways() || std::fabs(ends.to.z - ends.from.z) > Ends::least_way;
+  const bool moves = ends.sideways() || std::fabs(ends.to.z - ends.from.z) > Ends::least_travel;
   if (!is_cut(motion) || motion.kind == MotionKind::thread || !moves || motion.feed <= 0) return;
   // limits of plausible feeds: least and greatest in mm/min, greatest in mm/rev
   constexpr double least = 1, most = 100'000, most_a_turn = 5;

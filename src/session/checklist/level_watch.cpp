@@ -89,9 +89,9 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
     const bool below = ends.to.z < -level && (from_machine || ends.from.z < -level || ends.down());
     if (below && ends.down() && !ends.sideways() && ends.to.z < lowest_ - level)
       plunge_ = Low{origin, AlarmId::rapid_below_zero, ends.to.x, ends.to.y, ends.to.z};
-    constexpr double least_way = 2;  // mm; a shorter rapid after a cut is ignored
-    const bool straight_from_cut =
-        was_cut_ && std::fabs(ends.to.z - ends.from.z) < level && std::hypot(ends.to.x - ends.from.x, ends.to.y - ends.from.y) > least_way;
+    constexpr double least_travel = 2;  // mm; a shorter rapid after a cut is ignored
+    const bool straight_from_cut = was_cut_ && std::fabs(ends.to.z - ends.from.z) < level &&
+                                   std::hypot(ends.to.x - ends.from.x, ends.to.y - ends.from.y) > least_travel;
     if (ends.sideways()) sideways_.reset();
     if (ends.sideways() && straight_from_cut && ends.to.z < -level && approach_ > ends.to.z + level)
       sideways_ = Low{origin, AlarmId::rapid_sideways_low, (ends.from.x + ends.to.x) / 2, (ends.from.y + ends.to.y) / 2, ends.to.z};

@@ -114,12 +114,12 @@ void PathWatch::compensation_over(Advices& to) {
 void PathWatch::look_at_side(const Step& step, const Motion& motion, Advices& to) {
   const Ends ends(step.roles, step.from, motion);
   const Origin& origin = step.action.origin;
-  const double way =
+  const double path_length =
       length(Vec2{motion.to[motion.first] - step.from.work[motion.first], motion.to[motion.second] - step.from.work[motion.second]});
-  if (motion.side_step == SideStep::begins && motion.tool_radius > 0 && way > 0 && way < motion.tool_radius)
-    to.add(AlarmId::approach_short, origin, 0, way, motion.tool_radius);
+  if (motion.side_step == SideStep::begins && motion.tool_radius > 0 && path_length > 0 && path_length < motion.tool_radius)
+    to.add(AlarmId::approach_short, origin, 0, path_length, motion.tool_radius);
   const bool compensated = motion.side != 0 || motion.radius_offset != 0;
-  const bool ends_here = compensated_ && !compensated && way > 0;
+  const bool ends_here = compensated_ && !compensated && path_length > 0;
   compensated_ = compensated;
   if (motion.side != 0) {
     if (!side_) side_ = origin;

@@ -60,12 +60,12 @@ void ProgramCheck::check(Session& session) {
   // a single channel does not wait at waiting codes, since the programs of the other channels are not available
   if (channels.size() == 1) session.control().set_waiting(Control::Waiting::pass);
   (void)session.run();
-  for (std::size_t i = 0; i < channels.size() && !request_.stop.asked(); ++i) {
+  for (std::size_t i = 0; i < channels.size() && !request_.stop.requested(); ++i) {
     OfChannel& of = all[i];
     channels[i].control->check_uncalled([&](const AlarmReport& report) { (void)take(i, of, report); });
     // After a refused block the rest of the run may differ from what the programmer intended. Therefore the checklist is omitted until the
     // errors are corrected.
-    if (of.alarms == 0 && !only_subprograms_ && !request_.stop.asked())
+    if (of.alarms == 0 && !only_subprograms_ && !request_.stop.requested())
       for (const AlarmReport& advice : of.checklist.reports(request_.stop)) (void)take(i, of, advice);
     if (i != session.own()) continue;
     if (const auto note = unstated(*channels[i].control, session.def(), session.setup(), request_.stated)) (void)take(i, of, *note);

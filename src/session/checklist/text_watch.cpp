@@ -221,7 +221,7 @@ void TextWatch::take_flow(const Block& block) {
       now.jumps.try_emplace(*target, block.position.line);
   }
   if (ended_ && moves(block) && block.marker == Marker::none) {
-    if (!now.behind_end) now.behind_end = origin_of(block);
+    if (!now.after_end) now.after_end = origin_of(block);
     ++now.lines_after_end;
   }
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -251,8 +251,8 @@ void TextWatch::take_comments(const Block& block) {
     const int teeth = teeth_named(text);
     if (teeth == 0) continue;
     const auto named = read_tool_comment(text, false).tool;
-    const bool beside_call = !named && block.has('T') && tool_ != 0;
-    if ((named || beside_call) && teeth_.size() < max_numbers) teeth_.try_emplace(named ? *named : tool_, teeth);
+    const bool in_call_block = !named && block.has('T') && tool_ != 0;
+    if ((named || in_call_block) && teeth_.size() < max_numbers) teeth_.try_emplace(named ? *named : tool_, teeth);
     else loose_teeth_ = teeth;  // the comment belongs to the tool that the program calls next
   }
 }
@@ -270,7 +270,7 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
   const auto each = [&](auto&& take_block) {
     const BlockReader::Memory fresh = reader.memory();
     Block block;
-    for (unsigned n = 0; n % now_and_then != 0 || !stop.asked(); ++n) {
+    for (unsigned n = 0; n % now_and_then != 0 || !stop.requested(); ++n) {
       block.clear();
       const auto got = reader.next(block);
       if (!got) continue;  // the control reports a fault in the text by an alarm, so the block is skipped here
@@ -312,8 +312,8 @@ void TextWatch::finish(Advices& to) {
       if (found == s.twice.end()) to.add(AlarmId::jump_to_nowhere, origin, 0, double(target));
       else if (found->second > 1) to.add(AlarmId::jump_to_two, origin, 0, double(target));
     }
-    if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.has_lines_alone())
-      to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_after_end));
+    if (s.after_end && !s.has_targets && !has_o_words_ && !def_.has_lines_alone())
+      to.add(AlarmId::lines_unreachable, *s.after_end, 0, double(s.lines_after_end));
     constexpr std::uint32_t of_codes = 9000;  // a program from this number on may be called by a code that a parameter defines
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
       to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));

@@ -40,7 +40,7 @@ class TextWatch {
     std::map<std::uint32_t, std::uint32_t> jumps;  // block number that is the target of a jump → line of the jump
     // target of a jump → number of blocks with this block number; counted when the text is read a second time
     std::map<std::uint32_t, std::uint32_t> twice;
-    std::optional<Origin> behind_end;  // location of the first motion after the end of the program
+    std::optional<Origin> after_end;  // location of the first motion after the end of the program
     std::uint32_t lines_after_end = 0;
     bool has_targets = false;  // true: some block refers to a block number, so lines after the end of the program may be reachable
   };

@@ -60,12 +60,12 @@ void along_axes_path(const Step& step, double chord, const std::optional<Axes>& 
   if (curve.straight() && !led) return visit(end, 1);
   const int most = max_pieces_of_turn * (1 + int(std::min(motion.turns, 1e4)));
   const int count = std::clamp(curve.straight() ? 1 : curve.pieces(chord), led ? least_tcp_pieces : 1, most);
-  const TcpAxesPath way(step, chord, visit);
+  const TcpAxesPath path(step, chord, visit);
   Axes from = step.from.machine;
   for (int i = 1; i <= count; ++i) {
     const double part = double(i) / count;
-    const Axes to = i == count ? end : way.at(part);
-    if (led) way.go(from, double(i - 1) / count, to, part, max_halvings);
+    const Axes to = i == count ? end : path.at(part);
+    if (led) path.go(from, double(i - 1) / count, to, part, max_halvings);
     else visit(to, part);
     from = to;
   }

@@ -42,7 +42,7 @@ void BlockLoads::end_block() {
   if (open_.empty()) return;
   if (open_.back().sum.length >= reach_) {
     end_row();
-    tell(open_);
+    report_row(open_);
     return open_.clear();
   }
   short_.push_back(open_.back());
@@ -53,7 +53,7 @@ void BlockLoads::end_block() {
 }
 
 void BlockLoads::end_row() {
-  if (!short_.empty()) tell(short_);
+  if (!short_.empty()) report_row(short_);
   short_.clear();
 }
 
@@ -63,7 +63,7 @@ void BlockLoads::finish() {
 }
 
 /// Reports successive short blocks. Each block gets the mean values of all blocks of `row`.
-void BlockLoads::tell(const std::vector<Block>& row) {
+void BlockLoads::report_row(const std::vector<Block>& row) {
   Sum all;
   for (const Block& b : row) all.add(b.sum);
   const CutMotion& first = row.front().first;

@@ -59,7 +59,7 @@ class BlockLoads {
 
   void end_block();
   void end_row();
-  void tell(const std::vector<Block>& row);
+  void report_row(const std::vector<Block>& row);
   void weigh(const BlockLoad& row);
 
   double reach_;              // length of path over which mean values are computed, mm

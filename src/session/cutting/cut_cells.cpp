@@ -110,8 +110,8 @@ CutResult cut_figures(const Cutting& cutting, const CutJob& job, const Surface& 
   const Box3 box = job.window->box();
   const double of_window = area_of(uncertain_part(*window, *job.window));
   WindowResult fine{job.window->volume(), volume_of(*window), share_of_cell * job.window_cell * of_window, job.window_cell};
-  const double beside = area - mesh_within(uncertain, box).area;
-  result = cutting.result(left - mesh_within(whole, box).volume + fine.left, share_of_cell * job.cell * beside + fine.error_bound);
+  const double outer_area = area - mesh_within(uncertain, box).area;
+  result = cutting.result(left - mesh_within(whole, box).volume + fine.left, share_of_cell * job.cell * outer_area + fine.error_bound);
   result.window = fine;
   result.finer_than_cell = tools_finer_than_cells(*cutting.window());
   return result;

@@ -28,9 +28,9 @@ CutRun::CutRun(Session& session, const CutJob& cut, MachineWatch* watch)
 
 void CutRun::on_block(std::function<void(const BlockLoad&)> take) {
   cutting_.on_block = [this, take = std::move(take)](const BlockLoad& load) {
-    BlockLoad told = load;
-    name_program(told);
-    take(told);
+    BlockLoad reported = load;
+    name_program(reported);
+    take(reported);
   };
 }
 

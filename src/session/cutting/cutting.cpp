@@ -14,7 +14,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t batch_sweeps = 1 << 15;
-constexpr std::size_t max_kept = 100'000;     // greatest number of motions stored until the work coordinates of the blank are known
+constexpr std::size_t max_waiting = 100'000;  // greatest number of motions stored until the work coordinates of the blank are known
 constexpr std::size_t max_findings = 1000;    // greatest number of findings that are listed; further findings are only counted
 constexpr double sideways = 0.01;             // greatest travel of a drill across its axis while it cuts, mm
 constexpr double chord_of_cell = 1.0 / 2000;  // tolerance of the chords of an arc, as a fraction of the cell size
@@ -27,8 +27,8 @@ double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_c
 
 /// Returns the travel of the tool along its axis on this segment, mm; negative if the tool moves into the material.
 double climb_of(const PathSegment& p) {
-  const Vec3 way = p.to - p.from, k = p.from_direction;
-  return way.x * k.x + way.y * k.y + way.z * k.z;
+  const Vec3 delta = p.to - p.from, k = p.from_direction;
+  return delta.x * k.x + delta.y * k.y + delta.z * k.z;
 }
 double flat_length(const PathSegment& p) {
   if (is_upright(p.from_direction)) return length(Vec2{p.to.x - p.from.x, p.to.y - p.from.y});
@@ -48,7 +48,7 @@ double least_side(const Box3& box) {
 
 Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     : job_(job),
-      way_(roles, chord_for(job.cell), job.system, job.machine, job.apart),
+      tool_path_(roles, chord_for(job.cell), job.system, job.machine, job.apart),
       stock_(job.blank, job.cell, job.threads),
       tool_(job.tool),
       spindle_(job.spindle),
@@ -182,7 +182,7 @@ bool Cutting::is_in_groove(const Motion& motion) {
 void Cutting::shift_by_length() {
   const auto real = job_.lengths.find(tool_);
   if (real == job_.lengths.end()) return;
-  const double shift = way_.length_in_force() - real->second;
+  const double shift = tool_path_.length_in_force() - real->second;
   for (PathSegment& p : pieces_) p.from = p.from + shift * p.from_direction, p.to = p.to + shift * p.to_direction;
 }
 
@@ -190,7 +190,7 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   note(step.action);
   const Motion* const motion = step.motion();
   result_.seconds = std::max(result_.seconds, time.begins + time.seconds + step.pause);
-  way_.take(step, pieces_);
+  tool_path_.take(step, pieces_);
   if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // a motion without travel also states a position
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || time.begins >= job_.until) return {};
   if (motion->in_hole == HoleWork::clear_of_wall) return {};  // the only cutting edge of the boring bar points away from the wall
@@ -227,22 +227,22 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   moved.begins = time.begins;
   moved.whole = time.seconds;
   moved.seconds = time.seconds * std::min(most, 1.0);
-  if (way_.zero() && !zero_known_) release_kept();
+  if (tool_path_.zero() && !zero_known_) release_waiting();
   if (zero_known_) {
     add(moved, pieces_, *shape);
   } else {
-    kept_.push_back({moved, pieces_, *shape});
-    if (kept_.size() >= max_kept) release_kept();
+    waiting_.push_back({moved, pieces_, *shape});
+    if (waiting_.size() >= max_waiting) release_waiting();
   }
   return {};
 }
 
 /// Cuts the stored motions. If the work coordinates of the blank are still unknown, the present work coordinates are used.
-void Cutting::release_kept() {
-  zero_ = way_.zero().value_or(way_.present_origin());
+void Cutting::release_waiting() {
+  zero_ = tool_path_.zero().value_or(tool_path_.present_origin());
   zero_known_ = true;
-  for (const Kept& k : kept_) add(k.moved, k.pieces, k.shape);
-  kept_ = std::vector<Kept>();
+  for (const WaitingMotion& k : waiting_) add(k.moved, k.pieces, k.shape);
+  waiting_ = std::vector<WaitingMotion>();
 }
 
 void Cutting::add(const Moved& moved, const std::vector<PathSegment>& pieces, std::uint16_t shape) {
@@ -288,8 +288,8 @@ void Cutting::cut() {
   std::vector<Touch> touches = stock_.cut(job_.stop);
   if (seen_) (void)seen_->cut(job_.stop);
   if (window_) touches = finer_touches(job_.window->box(), touches, window_->cut(job_.stop));
-  tell(touches, false);
-  for (const auto& fixture : fixtures_) tell(fixture->cut(job_.stop), true);
+  report_touches(touches, false);
+  for (const auto& fixture : fixtures_) report_touches(fixture->cut(job_.stop), true);
   count_removed();
   batch_.clear();
   notify_others();
@@ -326,7 +326,7 @@ void Cutting::count_removed() {
 }
 
 /// Reports the contacts of each motion, as one finding per kind of fault. `of_fixture`: the contacts are with a fixture.
-void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
+void Cutting::report_touches(const std::vector<Touch>& touches, bool of_fixture) {
   std::map<std::pair<std::size_t, AlarmId>, std::pair<Box3, double>> around;  // (index in batch_, fault) → (box, volume)
   for (const Touch& t : touches) {
     const auto after = std::upper_bound(batch_.begin(), batch_.end(), std::size_t(t.sweep),
@@ -350,7 +350,7 @@ void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
 
 /// Returns the least depth that the stock can resolve, mm. Inside the window the finer cells of the window determine the depth.
 double Cutting::least_depth(const Box3& around) const {
-  return window_ && lies_within(around, job_.window->box()) ? window_->least_piece() : stock_.least_piece();
+  return window_ && is_within(around, job_.window->box()) ? window_->least_piece() : stock_.least_piece();
 }
 
 AlarmId Cutting::fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture) {
@@ -373,7 +373,7 @@ void Cutting::keep(const CutFinding& finding) {
 }
 
 void Cutting::finish() {
-  if (!zero_known_) release_kept();
+  if (!zero_known_) release_waiting();
   cut();
   loads_.finish();
   notify_others();

@@ -119,7 +119,7 @@ class Cutting {
     bool in_groove = false, threads = false;  // for turning tools: the insert moves in a thread groove; the motion cuts the thread
     double lead = 0;                          // thread lead, mm; 0: the program states no lead
   };
-  struct Kept {
+  struct WaitingMotion {
     Moved moved;
     std::vector<PathSegment> pieces;
     std::uint16_t shape;
@@ -135,10 +135,10 @@ class Cutting {
   void each_other(const Visit& visit) const;
   void add(const Moved& moved, const std::vector<PathSegment>& pieces, std::uint16_t shape);
   void shift_by_length();
-  void release_kept();
+  void release_waiting();
   void cut();
   void count_removed();
-  void tell(const std::vector<Touch>& touches, bool of_fixture);
+  void report_touches(const std::vector<Touch>& touches, bool of_fixture);
   double least_depth(const Box3& around) const;
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
   void keep(const CutFinding& finding);
@@ -146,7 +146,7 @@ class Cutting {
   std::size_t use_of(std::uint32_t tool);
 
   CutJob job_;
-  ToolPath way_;
+  ToolPath tool_path_;
   Stock stock_;
   std::unique_ptr<Stock> window_, seen_;
   std::vector<std::unique_ptr<Stock>> fixtures_;
@@ -162,7 +162,7 @@ class Cutting {
   std::uint32_t speedless_ = 0;  // bit mask of the spindles whose programmed speed is 0
   Coolant coolant_ = Coolant::off;
   std::vector<PathSegment> pieces_;
-  std::vector<Kept> kept_;
+  std::vector<WaitingMotion> waiting_;
   std::vector<Moved> batch_;
   std::vector<CutFinding> others_;
   SweepLines lines_;

@@ -22,8 +22,8 @@ std::optional<DogLeg> DogLeg::of(const Step& step, const std::optional<Axes>& ra
   double longest = 0;
   for (std::size_t i = 0; i < step.roles.count; ++i) {
     const bool rolls = motion->detail && (motion->detail->rolled >> i & 1U) != 0;
-    const double way = rolls ? motion->detail->travel[i] : motion->machine[i] - step.from.machine[i];
-    leg.arrives_[i] = (*rates)[i] > 0 ? std::fabs(way) / (*rates)[i] : 0;
+    const double travel = rolls ? motion->detail->travel[i] : motion->machine[i] - step.from.machine[i];
+    leg.arrives_[i] = (*rates)[i] > 0 ? std::fabs(travel) / (*rates)[i] : 0;
     longest = std::max(longest, leg.arrives_[i]);
   }
   if (!(longest > 0)) return leg;

@@ -14,8 +14,8 @@ namespace {
 
 // Tolerance of the chords that replace the motion of the axes, mm or degrees. It is a fifth of the depth that counts as a collision.
 constexpr double chord_of_axes = 0.002;
-constexpr std::size_t max_kept_steps = 10'000;  // greatest number of steps stored until the work coordinates of the blank are known
-constexpr double same_length = 1e-9;            // mm; lengths that differ by less count as equal
+constexpr std::size_t max_waiting_steps = 10'000;  // greatest number of steps stored until the work coordinates of the blank are known
+constexpr double same_length = 1e-9;               // mm; lengths that differ by less count as equal
 
 /// Returns the kinematics of the machine. If the machine's file has no [kinematics], the axes X, Y and Z carry the tool, in this order.
 MachineTree tree_of(MachineProfile machine, const std::vector<std::string>& axes) {
@@ -185,20 +185,20 @@ void MachineWatch::take(const Step& step, const MachineTime& time, std::vector<C
   const InForce in_force{tool_, chain_.tip(placement_.length).z, time, unknown_ == 0};
   unknown_ &= ~motion->named;
   if (unknown_ != 0) return;
-  if (!zero_ && (job_.system ? motion->system == *job_.system : is_cutting(motion->kind))) release_kept(found, notes);
+  if (!zero_ && (job_.system ? motion->system == *job_.system : is_cutting(motion->kind))) release_waiting(found, notes);
   if (zero_) return execute(step, in_force, found, notes);
-  kept_.push_back({KeptStep(step), in_force});
-  if (kept_.size() >= max_kept_steps) release_kept(found, notes);
+  waiting_.push_back({KeptStep(step), in_force});
+  if (waiting_.size() >= max_waiting_steps) release_waiting(found, notes);
 }
 
-void MachineWatch::release_kept(std::vector<CutFinding>& found, std::vector<std::string>& notes) {
+void MachineWatch::release_waiting(std::vector<CutFinding>& found, std::vector<std::string>& notes) {
   find_zero();
-  for (const KeptMotion& kept : kept_) execute(kept.step.step(), kept.in_force, found, notes);
-  kept_ = {};
+  for (const WaitingMotion& waiting : waiting_) execute(waiting.step.step(), waiting.in_force, found, notes);
+  waiting_ = {};
 }
 
 void MachineWatch::finish(std::vector<CutFinding>& found, std::vector<std::string>& notes) {
-  if (!zero_) release_kept(found, notes);
+  if (!zero_) release_waiting(found, notes);
 }
 
 void MachineWatch::execute(const Step& step, const InForce& in_force, std::vector<CutFinding>& found, std::vector<std::string>& notes) {

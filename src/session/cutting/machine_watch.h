@@ -54,7 +54,7 @@ class MachineWatch {
     MachineTime time;
     bool known = true;  // true: the position at the start of the motion is known
   };
-  struct KeptMotion {
+  struct WaitingMotion {
     KeptStep step;
     InForce in_force;
   };
@@ -65,7 +65,7 @@ class MachineWatch {
   };
   MachineWatch(const MachineTree& tree, BodyWorld world, const MachineProfile& machine, const AxisRoles& roles, const CutJob& job);
   std::optional<std::string> add_bodies(const MachineProfile& machine, const std::vector<WorkBody>& work, const ReadMesh& read);
-  void release_kept(std::vector<CutFinding>& found, std::vector<std::string>& notes);
+  void release_waiting(std::vector<CutFinding>& found, std::vector<std::string>& notes);
   void execute(const Step& step, const InForce& in_force, std::vector<CutFinding>& found, std::vector<std::string>& notes);
   void take_tool(const InForce& in_force, std::vector<std::string>& notes);
   const ToolBodies* bodies_of_tool(std::uint32_t tool);
@@ -87,7 +87,7 @@ class MachineWatch {
   std::uint32_t tool_;
   AxisMask unknown_ = 0;
   Placement placement_;
-  std::vector<KeptMotion> kept_;
+  std::vector<WaitingMotion> waiting_;
   std::optional<Axes> zero_;  // machine position at the zero point of the blank's work coordinates
   LinkPose work_on_link_;     // pose of the blank's work coordinates on the link that carries the blank
   Axes stand_{};

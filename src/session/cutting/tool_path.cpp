@@ -124,7 +124,7 @@ void ToolPath::divide(const Step& step, const PathSegment& p, int depth, std::ve
 bool ToolPath::bent(const Step& step, std::vector<PathSegment>& pieces) const {
   const auto leg = DogLeg::of(step, apart_);
   if (!leg || turns(step)) return false;
-  const Vec3 start = pose_at(step, 0).tip, way = pose_at(step, 1).tip - start;
+  const Vec3 start = pose_at(step, 0).tip, delta = pose_at(step, 1).tip - start;
   const auto gone = [&](std::size_t letter, double part) {
     const int axis = step.roles.xyz[letter];
     return axis < 0 ? part : leg->gone(std::size_t(axis), part);
@@ -132,7 +132,7 @@ bool ToolPath::bent(const Step& step, std::vector<PathSegment>& pieces) const {
   Vec3 from = start;
   double begins = 0;
   for (const double part : leg->corners()) {
-    const Vec3 to = start + Vec3{gone(0, part) * way.x, gone(1, part) * way.y, gone(2, part) * way.z};
+    const Vec3 to = start + Vec3{gone(0, part) * delta.x, gone(1, part) * delta.y, gone(2, part) * delta.z};
     if (length(to - from) > same_position) pieces.push_back({from, to, begins, part});
     from = to;
     begins = part;

@@ -17,8 +17,8 @@ Vec2 flat(Vec3 v) { return {v.x, v.y}; }
 /// Returns the number of chords that approximate a straight path past the axis of rotation. The radius along the path is a hyperbola. The
 /// sagitta of a chord is length² / (8 · nearest radius).
 int parts_of(Vec2 from, Vec2 to, double chord) {
-  const Vec2 way = to - from;
-  const double far = length(way), nearest = far > 0 ? std::fabs(cross(from, to)) / far : 0;
+  const Vec2 delta = to - from;
+  const double far = length(delta), nearest = far > 0 ? std::fabs(cross(from, to)) / far : 0;
   return int(std::clamp(std::ceil(far / std::sqrt(8 * chord * std::max(nearest, in_plane))), 1.0, double(max_parts)));
 }
 

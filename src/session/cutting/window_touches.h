@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-bool lies_within(const Box3& inner, const Box3& outer);
+bool is_within(const Box3& inner, const Box3& outer);
 
 /// Returns the contacts of both stocks as one list. Inside the window the contacts come from the window's stock, outside from the stock of
 /// the whole blank. A contact across a face of the window becomes one contact, with the box around both contacts and the volume from the

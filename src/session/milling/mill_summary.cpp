@@ -44,7 +44,7 @@ class MillSummary {
                                       number_text(50 * path.step / job_.radius, 1)));
     line(texts::milling::path, text(texts::milling::length_of_path, number_text(o.length, 1), path.layers, path.lifts));
     if (std::isfinite(o.nearest_wall))
-      line(texts::milling::wall, text(texts::milling::nearest_wall, number_text(o.nearest_wall, 3), number_text(o.wanted, 3)));
+      line(texts::milling::wall, text(texts::milling::nearest_wall, number_text(o.nearest_wall, 3), number_text(o.required, 3)));
     line(texts::milling::uncut, text(texts::milling::uncut_area, number_text(o.uncut, 2), number_text(o.out_of_reach, 2)));
     line(texts::milling::plunge, plunge_text(path.plunges));
     for (const Vec2 hole : path.holes) line(texts::milling::drill_before, hole_place(hole));
@@ -65,38 +65,38 @@ class MillSummary {
   /// Returns the type of the area. INFERRED, since spec/correctors 4 only names the four types: a half-open area has all its walls in one
   /// connected part of the outline. In a combined area walls and open sides alternate, or an outline with open sides contains islands.
   std::string zone_text() const {
-    std::size_t islands = 0, walls = 0, open = 0, stretches = 0;
+    std::size_t islands = 0, walls = 0, open = 0, wall_runs = 0;
     for (const area::Zone& zone : milled_.shape.zones) {
       islands += zone.loops.size() - 1;
       for (const Edges& loop : zone.loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
           ++(loop[i].open ? open : walls);
-          if (!loop[i].open && loop[(i + 1) % loop.size()].open) ++stretches;
+          if (!loop[i].open && loop[(i + 1) % loop.size()].open) ++wall_runs;
         }
-        if (std::none_of(loop.begin(), loop.end(), [](const Edge& e) { return e.open; })) ++stretches;
+        if (std::none_of(loop.begin(), loop.end(), [](const Edge& e) { return e.open; })) ++wall_runs;
       }
     }
-    const bool one_stretch = stretches <= milled_.shape.zones.size();
-    const TextId<1> kind = open == 0     ? texts::milling::zone_closed
-                           : walls == 0  ? texts::milling::zone_open
-                           : one_stretch ? texts::milling::zone_half_open
-                                         : texts::milling::zone_combined;
+    const bool one_wall_run = wall_runs <= milled_.shape.zones.size();
+    const TextId<1> kind = open == 0      ? texts::milling::zone_closed
+                           : walls == 0   ? texts::milling::zone_open
+                           : one_wall_run ? texts::milling::zone_half_open
+                                          : texts::milling::zone_combined;
     return text(kind, islands);
   }
 
   /// Describes how the tool enters uncut material. Straight plunges are mentioned separately, since not every tool can cut at its centre.
   std::string plunge_text(const area::Plunges& p) const {
-    std::string ways;
-    const auto add = [&](std::size_t count, TextId<1> way) {
-      if (count > 0) ways += (ways.empty() ? "" : ", ") + text(way, count);
+    std::string plunge_kinds;
+    const auto add = [&](std::size_t count, TextId<1> kind) {
+      if (count > 0) plunge_kinds += (plunge_kinds.empty() ? "" : ", ") + text(kind, count);
     };
     add(p.ramps, texts::milling::ramps);
     add(p.helices, texts::milling::helices);
     add(p.straight, texts::milling::straight);
     add(p.drilled, texts::milling::drilled);
-    if (ways.empty()) return text(texts::milling::beside_material);
-    if (p.ramps + p.helices > 0) ways += fmt::format("; {}°", number_text(job_.ramp_deg, 3));
-    return fmt::format("{}: {}", russian_name(job_.plunge), ways);
+    if (plunge_kinds.empty()) return text(texts::milling::beside_material);
+    if (p.ramps + p.helices > 0) plunge_kinds += fmt::format("; {}°", number_text(job_.ramp_deg, 3));
+    return fmt::format("{}: {}", russian_name(job_.plunge), plunge_kinds);
   }
 
   const Milled& milled_;

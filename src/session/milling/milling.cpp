@@ -77,7 +77,7 @@ tl::expected<Milled, DrawingFault> milled(const MillRequest& request, std::strin
   if (!path) return drawing_fault(0, path.error());
   auto program = written_program(request, def, *path, *shape, *job);
   if (!program) return drawing_fault(0, program.error());
-  if (watch.stop.asked()) return drawing_fault(0, alarm(AlarmId::interrupted, {}));
+  if (watch.stop.requested()) return drawing_fault(0, alarm(AlarmId::interrupted, {}));
   return Milled{std::move(*job), std::move(*shape), std::move(*path), std::move(*program)};
 }
 

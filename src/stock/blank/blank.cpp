@@ -44,9 +44,8 @@ class CylinderBlank : public Blank {
       if (length(Vec2{u, v} - centre_) < radius_) ranges.push_back({bottom_, top_});
       return;
     }
-    const double z = family == 0 ? v : u, beside = family == 0 ? u - centre_.y : v - centre_.x,
-                 middle = family == 0 ? centre_.x : centre_.y;
-    const double square = radius_ * radius_ - beside * beside;
+    const double z = family == 0 ? v : u, aside = family == 0 ? u - centre_.y : v - centre_.x, middle = family == 0 ? centre_.x : centre_.y;
+    const double square = radius_ * radius_ - aside * aside;
     if (z > bottom_ && z < top_ && square > 0) ranges.push_back({middle - std::sqrt(square), middle + std::sqrt(square)});
   }
   Vec3 normal(Vec3 at, int family, bool out) const override {

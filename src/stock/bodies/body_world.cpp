@@ -64,14 +64,14 @@ std::optional<SolidBody> BodyWorld::add(const ConvexBody& body) {
 }
 
 BodyGap BodyWorld::gap(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const {
-  const auto rows_a = rows_of(pose_a.after(a.lies)), rows_b = rows_of(pose_b.after(b.lies));
+  const auto rows_a = rows_of(pose_a.after(a.pose)), rows_b = rows_of(pose_b.after(b.pose));
   double nearest[6] = {};
   const double distance = door_->distance(bodies_.get(), a.number, rows_a.data(), b.number, rows_b.data(), nearest);
   return {std::isnan(distance) ? 0 : distance, {nearest[0], nearest[1], nearest[2]}, {nearest[3], nearest[4], nearest[5]}};
 }
 
 double BodyWorld::depth(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const {
-  const auto rows_a = rows_of(pose_a.after(a.lies)), rows_b = rows_of(pose_b.after(b.lies));
+  const auto rows_a = rows_of(pose_a.after(a.pose)), rows_b = rows_of(pose_b.after(b.pose));
   return door_->depth(bodies_.get(), a.number, rows_a.data(), b.number, rows_b.data());
 }
 

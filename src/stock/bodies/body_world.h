@@ -17,7 +17,7 @@ namespace kadr {
 /// A body of a BodyWorld: its number in the BodyWorld, and its pose in the coordinates of its description (machine file, mesh or tool).
 struct SolidBody {
   int number = 0;
-  LinkPose lies;
+  LinkPose pose;
   BodyBall ball;       // sphere that encloses the body, in the coordinates of the description
   bool convex = true;  // true if the body is convex; a mesh may have any shape, so it is not assumed to be convex
 };

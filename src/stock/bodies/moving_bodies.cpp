@@ -93,7 +93,7 @@ Travel MovingBodies::travel(std::size_t body, std::size_t from, const std::vecto
 }
 
 BodyGap MovingBodies::gap(const Pair& pair, const std::vector<LinkPose>& links) {
-  ++asked_;
+  ++queries_;
   return world_.gap(bodies_[pair.first].solid, pose(pair.first, links), bodies_[pair.second].solid, pose(pair.second, links));
 }
 
@@ -130,7 +130,7 @@ void MovingBodies::move(const Axes& from, const Axes& to, std::vector<BodyMeetin
     if (left >= bodies_meet) pair.at_least = left;
     else follow(pair, from, by, met);
   }
-  for (const BodyMeeting& meeting : met) tell(meeting, first_new, found);
+  for (const BodyMeeting& meeting : met) report_meeting(meeting, first_new, found);
 }
 
 /// Advances along the motion in steps, each too short for the two bodies to meet.
@@ -184,7 +184,7 @@ bool MovingBodies::same_groups(std::size_t a, std::size_t b, std::size_t c, std:
 }
 
 /// Reports the first collision of two groups in a motion; reports nothing if other bodies of these groups are already in contact.
-void MovingBodies::tell(const BodyMeeting& meeting, std::size_t first_new, std::vector<BodyMeeting>& found) const {
+void MovingBodies::report_meeting(const BodyMeeting& meeting, std::size_t first_new, std::vector<BodyMeeting>& found) const {
   for (const Pair& pair : pairs_)
     if (pair.touched && same_groups(pair.first, pair.second, meeting.first, meeting.second)) return;
   for (std::size_t i = first_new; i < found.size(); ++i) {

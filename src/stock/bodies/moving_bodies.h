@@ -60,7 +60,7 @@ class MovingBodies {
   /// Returns by how much two bodies overlap at these axis positions, mm; 0 if they do not overlap, or if the overlap is unknown.
   double depth(std::size_t first, std::size_t second, const Axes& axes);
   /// Returns the number of distance computations by FCL so far.
-  std::uint64_t asked() const { return asked_; }
+  std::uint64_t queries() const { return queries_; }
 
  private:
   struct Body {
@@ -89,7 +89,7 @@ class MovingBodies {
   void follow(Pair& pair, const Axes& from, const Axes& by, std::vector<BodyMeeting>& found);
   void part_from(Pair& pair, const Axes& to);
   double depth_after(const Pair& pair, const Axes& from, const Axes& by, double part);
-  void tell(const BodyMeeting& meeting, std::size_t first_new, std::vector<BodyMeeting>& found) const;
+  void report_meeting(const BodyMeeting& meeting, std::size_t first_new, std::vector<BodyMeeting>& found) const;
   bool same_groups(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const;
 
   MachineLinks links_;
@@ -99,7 +99,7 @@ class MovingBodies {
   std::vector<std::size_t> chosen_;    // indices in pairs_ of the pairs to check
   std::vector<LinkPose> start_, now_;  // poses of the links at the start of the motion, and at the present step along the motion
   std::vector<Travel> travels_;        // upper bounds of the displacements of the bodies in a motion, in the coordinates of the bed
-  std::uint64_t asked_ = 0;
+  std::uint64_t queries_ = 0;
 };
 
 }  // namespace kadr

@@ -34,9 +34,9 @@ Cutter::Cutter(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, c
 float Cutter::lowest_over_brick() const {
   const LocalSweep& s = sweep_;
   const float half = scale_.edge / 2, along_plane = (half - s.from[0]) * s.flat_direction[0] + (half - s.from[1]) * s.flat_direction[1];
-  const float along_way = along_plane * s.per_flat * s.per_flat, around = (body_.radius + scale_.edge * 0.7072f) * s.per_flat;
-  const float first = std::clamp(along_way - around, 0.f, s.length), last = std::clamp(along_way + around, 0.f, s.length);
-  return below_ + (s.upright ? s.lowest() : s.from[2] + std::min(s.way[2] * first, s.way[2] * last));
+  const float along_path = along_plane * s.per_flat * s.per_flat, around = (body_.radius + scale_.edge * 0.7072f) * s.per_flat;
+  const float first = std::clamp(along_path - around, 0.f, s.length), last = std::clamp(along_path + around, 0.f, s.length);
+  return below_ + (s.upright ? s.lowest() : s.from[2] + std::min(s.direction[2] * first, s.direction[2] * last));
 }
 
 bool Cutter::takes_all() const {
@@ -45,7 +45,7 @@ bool Cutter::takes_all() const {
   const float nearest = (x * sweep_.flat_direction[0] + y * sweep_.flat_direction[1]) * sweep_.per_flat * sweep_.per_flat;
   const float at = std::clamp(nearest, 0.f, sweep_.length);
   const float far_x = std::fabs(x - at * sweep_.flat_direction[0]) + half, far_y = std::fabs(y - at * sweep_.flat_direction[1]) + half;
-  const float radius = std::sqrt(far_x * far_x + far_y * far_y), tip = sweep_.from[2] + sweep_.way[2] * at;
+  const float radius = std::sqrt(far_x * far_x + far_y * far_y), tip = sweep_.from[2] + sweep_.direction[2] * at;
   if (radius >= body_.radius || scale_.edge - tip > body_.top) return false;
   return tip + body_.bottom + height_at(body_, radius) <= 0;
 }
@@ -86,10 +86,10 @@ float Cutter::tip_over(int line) const {
   const LocalSweep& s = sweep_;
   const float x = scale_.place[line % brick_edge] - s.from[0], y = scale_.place[line / brick_edge] - s.from[1];
   const float nearest = (x * s.flat_direction[0] + y * s.flat_direction[1]) * (s.per_flat * s.per_flat);
-  const float beside = x * s.flat_direction[1] - y * s.flat_direction[0], apart = beside * s.per_flat;
+  const float aside = x * s.flat_direction[1] - y * s.flat_direction[0], apart = aside * s.per_flat;
   const float half = std::sqrt(std::max(body_.flat * body_.flat - apart * apart, 0.f)) * s.per_flat;
-  const float lowest = s.way[2] > 0.f ? nearest - half : nearest + half;
-  return s.rise == 0.f ? s.from[2] : std::min(std::max(lowest, 0.f), s.length) * s.way[2] + s.from[2];
+  const float lowest = s.direction[2] > 0.f ? nearest - half : nearest + half;
+  return s.rise == 0.f ? s.from[2] : std::min(std::max(lowest, 0.f), s.length) * s.direction[2] + s.from[2];
 }
 
 /// Records an interval removed from a lattice line along Z.

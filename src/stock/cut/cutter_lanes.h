@@ -69,7 +69,7 @@ template <class V>
 KADR_IN_LANES PointRange Cutter::range() const {
   float low[3], high[3];
   for (int d = 0; d < 3; ++d) {
-    const float moved = d == 2 ? sweep_.rise : sweep_.way[d] * sweep_.length;
+    const float moved = d == 2 ? sweep_.rise : sweep_.direction[d] * sweep_.length;
     low[d] = sweep_.from[d] + std::min(moved, 0.f) + (d == 2 ? below_ : -body_.radius);
     high[d] = sweep_.from[d] + std::max(moved, 0.f) + (d == 2 ? above_ : body_.radius);
   }
@@ -110,7 +110,7 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
   constexpr int u = (family + 1) % 3, v = (family + 2) % 3;
   BrickLines& lines = brick_.family[std::size_t(family)];
   const LocalSweep sweep = body_.turned ? upside_down(sweep_) : sweep_;
-  const LevelPath way(sweep, family == 2 ? 0 : family);
+  const LevelPath path(sweep, family == 2 ? 0 : family);
   // This test for further intervals is made before this cut, because intervals that this cut itself splits off are outside the swept
   // volume.
   const bool several = !lines.further.empty();
@@ -131,7 +131,7 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
         if (several) store(all_tips + at, taken.tip);
       } else {
         const V z = family == 0 ? spread<V>(row_position) : lane_places;
-        swept = level_lines<V, end>(sweep, way, body_, family == 0 ? lane_places : spread<V>(row_position), body_.turned ? -z : z);
+        swept = level_lines<V, end>(sweep, path, body_, family == 0 ? lane_places : spread<V>(row_position), body_.turned ? -z : z);
       }
       if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
       take<V, family>(lines, at, swept, taken);

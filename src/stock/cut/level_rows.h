@@ -11,7 +11,7 @@ namespace kadr::lanes {
 /// The path of the tool, with components along and across the lattice lines of one axis.
 struct LevelPath {
   LevelPath(const LocalSweep& s, int axis)
-      : start(s.from[axis]), across_start(s.from[1 - axis]), forth(s.way[axis]), across(s.way[1 - axis]), up(s.way[2]) {
+      : start(s.from[axis]), across_start(s.from[1 - axis]), forth(s.direction[axis]), across(s.direction[1 - axis]), up(s.direction[2]) {
     const float guarded = std::fabs(across) < 1e-9f ? 1e-9f : across;
     per_across = 1 / guarded;
     side = s.flat_direction[axis] * s.per_flat * (guarded > 0.f ? 1.f : -1.f);
@@ -33,12 +33,12 @@ struct LevelLines {
 
 /// The section of the path on which a given range of heights of the tool passes the height of a lattice line.
 template <class V>
-struct Stretch {
+struct PathSection {
   V first, last;
   MarksOf<V> any;
 };
 template <class V>
-KADR_IN_LANES Stretch<V> at_height(const LocalSweep& s, const V& up, float low, float high) {
+KADR_IN_LANES PathSection<V> at_height(const LocalSweep& s, const V& up, float low, float high) {
   const V a = (up - high) * s.per_upward, b = (up - low) * s.per_upward;
   const V first = most(least(a, b), spread<V>(0.f)), last = least(most(a, b), spread<V>(s.length));
   return {first, last, (up >= std::min(s.rise, 0.f) + low) & (up <= std::max(s.rise, 0.f) + high) & (first <= last)};
@@ -57,7 +57,7 @@ KADR_IN_LANES Swept<V> between(const LevelPath& w, const LeftAt<V>& from, const 
 
 /// Returns the intervals of lattice lines that a cylinder sweeps on a section of the path.
 template <class V>
-KADR_IN_LANES Swept<V> level_cylinder(const LevelPath& w, const LevelLines<V>& lines, const Stretch<V>& on, float radius) {
+KADR_IN_LANES Swept<V> level_cylinder(const LevelPath& w, const LevelLines<V>& lines, const PathSection<V>& on, float radius) {
   const float edge = radius * w.side;
   const V square = spread<V>(radius * radius), to = within((lines.across + edge) * w.per_across, on.first, on.last),
           from = within((lines.across - edge) * w.per_across, on.first, on.last);
@@ -67,15 +67,15 @@ KADR_IN_LANES Swept<V> level_cylinder(const LevelPath& w, const LevelLines<V>& l
 
 /// Returns the intervals of lattice lines that the lower half of a ball sweeps.
 template <class V>
-KADR_IN_LANES Swept<V> level_ball(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
+KADR_IN_LANES Swept<V> level_ball(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const PathSection<V>& on) {
   float across = w.across, up = w.up,
         square = across * across + up * up;  // the equal term 1 - forth² would lose all digits if the path is along the lines
   const bool along = square < upright_below * upright_below;
   if (along) across = up = 0.f, square = upright_below * upright_below;
   const float per_square = 1 / square, slope = w.forth / std::sqrt(square);
-  const V above = lines.up - b.end_top, beside = lines.across * up - above * across;
+  const V above = lines.up - b.end_top, aside = lines.across * up - above * across;
   const V nearest = (lines.across * across + above * up) * per_square;
-  const V apart = along ? lines.across * lines.across + above * above : beside * beside * per_square;
+  const V apart = along ? lines.across * lines.across + above * above : aside * aside * per_square;
   const V room = spread<V>(b.radius * b.radius) - apart, reach = root(room) * slope;
   const V to = within(nearest + reach, on.first, on.last), from = within(nearest - reach, on.first, on.last);
   const V to_far = to - nearest, from_far = from - nearest;
@@ -110,7 +110,7 @@ KADR_IN_LANES EndAt<V> end_at(const LevelPath& w, const SweptBody& b, const Leve
 
 /// Finds the position on the path at which the end of the tool reaches farthest along the line, in the direction `sign` (1 or -1).
 template <class V, BodyEnd end>
-KADR_IN_LANES LeftAt<V> farthest(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on, float sign,
+KADR_IN_LANES LeftAt<V> farthest(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const PathSection<V>& on, float sign,
                                  const EndAt<V>& first, const EndAt<V>& last) {
   const auto slope_of = [&](const EndAt<V>& e) { return Slope<V>{e.forth * sign + e.turn, e.square > 0.f}; };
   const Slope<V> at_first = slope_of(first), at_last = slope_of(last);
@@ -124,7 +124,7 @@ KADR_IN_LANES LeftAt<V> farthest(const LevelPath& w, const SweptBody& b, const L
 }
 
 template <class V, BodyEnd end>
-KADR_IN_LANES Swept<V> level_end(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
+KADR_IN_LANES Swept<V> level_end(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const PathSection<V>& on) {
   if constexpr (end == BodyEnd::ball) {
     return level_ball(w, b, lines, on);
   } else {
@@ -140,11 +140,11 @@ KADR_IN_LANES Swept<V> level_lines(const LocalSweep& s, const LevelPath& w, cons
   const LevelLines<V> lines{across - w.across_start, z - s.from[2]};
   Swept<V> swept{spread<V>(missed), spread<V>(-missed)};
   if constexpr (end != BodyEnd::flat) {
-    const Stretch<V> on = at_height(s, lines.up, b.bottom, b.end_top);
+    const PathSection<V> on = at_height(s, lines.up, b.bottom, b.end_top);
     if (any(on.any)) swept = level_end<V, end>(w, b, lines, on);
   }
   if (b.top <= b.end_top) return swept;
-  const Stretch<V> on = at_height(s, lines.up, b.end_top, b.top);
+  const PathSection<V> on = at_height(s, lines.up, b.end_top, b.top);
   if (!any(on.any)) return swept;
   const Swept<V> cylinder = level_cylinder(w, lines, on, b.radius);
   return {least(swept.from, cylinder.from), most(swept.to, cylinder.to)};

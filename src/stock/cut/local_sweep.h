@@ -11,17 +11,17 @@ namespace kadr {
 
 /// Distances in mm by which a body of the tool extends around the tip.
 struct AroundTip {
-  double beside, below, above;  // three distances; `below` is negative if the whole body is above the tip
+  double sideways, below, above;  // three distances; `below` is negative if the whole body is above the tip
 };
 
 /// A straight path of the tip. Lengths are in mm, from the brick's corner.
 struct LocalSweep {
-  float from[3];  // start of the path of the tip
-  float way[3];   // unit vector of the path; {1, 0, 0} if the tool does not move
+  float from[3];       // start of the path of the tip
+  float direction[3];  // unit vector of the path; {1, 0, 0} if the tool does not move
   float length;
   float rise;               // Z component of the whole path in mm
   float per_upward;         // 1 / way[2]; a large number for a level path
-  float flat_direction[2];  // XY components of `way`; both 0 for a vertical path
+  float flat_direction[2];  // XY components of `direction`; both 0 for a vertical path
   float flat, per_flat;     // length of flat_direction, and the inverse of this length, which is finite even for a length of 0
   bool upright;
 
@@ -43,13 +43,13 @@ struct PathPart {
 
 /// Returns the section of the path on which the tool can reach a box from {0, 0, 0} to `most`, with some margin; {0, 0} if the tool never
 /// reaches the box.
-inline PathPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec3 most) {
+inline PathPart part_that_reaches(Vec3 from, Vec3 direction, const AroundTip& tool, Vec3 most) {
   PathPart part;
   for (int d = 0; d < 3; ++d) {
-    const double room = along(most, d) / 4, low = -(d == 2 ? tool.above : tool.beside) - room,
-                 high = along(most, d) + room + (d == 2 ? tool.below : tool.beside);
-    if (along(way, d) == 0) continue;
-    const double a = (low - along(from, d)) / along(way, d), b = (high - along(from, d)) / along(way, d);
+    const double room = along(most, d) / 4, low = -(d == 2 ? tool.above : tool.sideways) - room,
+                 high = along(most, d) + room + (d == 2 ? tool.below : tool.sideways);
+    if (along(direction, d) == 0) continue;
+    const double a = (low - along(from, d)) / along(direction, d), b = (high - along(from, d)) / along(direction, d);
     part.first = std::max(part.first, std::min(a, b)), part.last = std::min(part.last, std::max(a, b));
   }
   if (part.first > part.last) return {0, 0};
@@ -58,31 +58,31 @@ inline PathPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Ve
 
 /// Converts a path, whose positions are given from the brick's corner, to a LocalSweep. `edge` is the edge length of the brick, mm.
 inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double edge) {
-  Vec3 way = to - from;
-  const double of_way = length(way);
-  double all = of_way;
+  Vec3 direction = to - from;
+  const double whole_length = length(direction);
+  double all = whole_length;
   LocalSweep s{};
-  if (all > clipped_above * (edge + 2 * tool.beside)) {
-    const PathPart part = part_that_reaches(from, way, tool, {edge, edge, edge});
-    from = from + part.first * way, all = all * (part.last - part.first);
+  if (all > clipped_above * (edge + 2 * tool.sideways)) {
+    const PathPart part = part_that_reaches(from, direction, tool, {edge, edge, edge});
+    from = from + part.first * direction, all = all * (part.last - part.first);
   }
-  const double per = all > 0 ? 1 / of_way : 0;
-  way = all > 0 ? per * way : Vec3{1, 0, 0};
-  for (int d = 0; d < 3; ++d) s.from[d] = float(along(from, d)), s.way[d] = float(along(way, d));
-  s.length = float(all), s.rise = float(all * way.z);
-  const float flat = std::sqrt(s.way[0] * s.way[0] + s.way[1] * s.way[1]);
+  const double per = all > 0 ? 1 / whole_length : 0;
+  direction = all > 0 ? per * direction : Vec3{1, 0, 0};
+  for (int d = 0; d < 3; ++d) s.from[d] = float(along(from, d)), s.direction[d] = float(along(direction, d));
+  s.length = float(all), s.rise = float(all * direction.z);
+  const float flat = std::sqrt(s.direction[0] * s.direction[0] + s.direction[1] * s.direction[1]);
   s.upright = flat < upright_below;
-  s.flat_direction[0] = s.upright ? 0.f : s.way[0], s.flat_direction[1] = s.upright ? 0.f : s.way[1];
+  s.flat_direction[0] = s.upright ? 0.f : s.direction[0], s.flat_direction[1] = s.upright ? 0.f : s.direction[1];
   s.flat = s.upright ? 0.f : flat, s.per_flat = 1 / std::max(flat, upright_below);
-  s.per_upward = 1 / (std::fabs(s.way[2]) < nearly_none ? nearly_none : s.way[2]);
+  s.per_upward = 1 / (std::fabs(s.direction[2]) < nearly_none ? nearly_none : s.direction[2]);
   return s;
 }
 
 /// Mirrors the path about the plane z = 0 through the brick's corner. A body that becomes narrower upwards is mirrored too, so that it
 /// becomes wider upwards and needs no code of its own.
 inline LocalSweep upside_down(LocalSweep s) {
-  s.from[2] = -s.from[2], s.way[2] = -s.way[2], s.rise = -s.rise;
-  s.per_upward = 1 / (std::fabs(s.way[2]) < nearly_none ? nearly_none : s.way[2]);
+  s.from[2] = -s.from[2], s.direction[2] = -s.direction[2], s.rise = -s.rise;
+  s.per_upward = 1 / (std::fabs(s.direction[2]) < nearly_none ? nearly_none : s.direction[2]);
   return s;
 }
 

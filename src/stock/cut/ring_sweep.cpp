@@ -30,24 +30,24 @@ RingRange folded(const RingRange& x) {
 
 RingSweep::RingSweep(const InsertBody& body, const InsertPoint& from, const InsertPoint& to) {
   const std::size_t n = body.corners.size();
-  const InsertPoint way{to.x - from.x, to.z - from.z};
-  const double far = std::sqrt(inner(way, way));
+  const InsertPoint delta{to.x - from.x, to.z - from.z};
+  const double far = std::sqrt(inner(delta, delta));
   const InsertPoint right =
       // Unit vector to the right of the path. In counter-clockwise order after this vector, the normals of the outline point ahead along
       // the path.
-      far > 0 ? InsertPoint{way.z / far, -way.x / far} : InsertPoint{};
+      far > 0 ? InsertPoint{delta.z / far, -delta.x / far} : InsertPoint{};
   std::vector<InsertCorner> corners;
   std::vector<InsertPoint> outward;
   for (std::size_t k = 0; k < n; ++k) {
     const InsertCorner& c = body.corners[k];
-    const double before = inner(body.outward[(k + n - 1) % n], way), behind = inner(body.outward[k], way);
+    const double before = inner(body.outward[(k + n - 1) % n], delta), after = inner(body.outward[k], delta);
     const auto put = [&](bool ahead, const InsertPoint& normal) {
       corners.push_back({moved(c.centre, ahead ? to : from), c.radius});
       outward.push_back(normal);
     };
-    const bool splits = (before < 0 && behind > 0) || (before > 0 && behind < 0);
+    const bool splits = (before < 0 && after > 0) || (before > 0 && after < 0);
     if (splits) put(before > 0, before < 0 ? right : InsertPoint{-right.x, -right.z});
-    put(splits ? behind > 0 : before >= 0 && behind >= 0, body.outward[k]);
+    put(splits ? after > 0 : before >= 0 && after >= 0, body.outward[k]);
   }
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const std::size_t next = (k + 1) % corners.size();
@@ -73,9 +73,9 @@ RingRange RingSweep::at_x(double x) const {
     if (e.per_x == 0) range.include(e.to.z);
   }
   for (const Arc& a : arcs_) {
-    const double beside = std::fabs(x - a.centre.x);
-    if (beside > a.radius) continue;
-    const double half = std::sqrt((a.radius - beside) * (a.radius + beside));
+    const double aside = std::fabs(x - a.centre.x);
+    if (aside > a.radius) continue;
+    const double half = std::sqrt((a.radius - aside) * (a.radius + aside));
     range.include(a.centre.z - half), range.include(a.centre.z + half);
   }
   return range;
@@ -89,9 +89,9 @@ RingRange RingSweep::at_z(double z) const {
     if (e.per_z == 0) range.include(e.to.x);
   }
   for (const Arc& a : arcs_) {
-    const double beside = std::fabs(z - a.centre.z);
-    if (beside > a.radius) continue;
-    const double half = std::sqrt((a.radius - beside) * (a.radius + beside));
+    const double aside = std::fabs(z - a.centre.z);
+    if (aside > a.radius) continue;
+    const double half = std::sqrt((a.radius - aside) * (a.radius + aside));
     range.include(a.centre.x - half), range.include(a.centre.x + half);
   }
   return range;

@@ -29,11 +29,11 @@ struct Bracket {
 };
 
 /// Narrows the section of the path that contains the maximum, until it is at most `error` mm long. `slope_at(place)` must return the Slope
-/// at a position. In the lanes `sought` the slope is positive at `way_first` and negative at `way_last`; other lanes are ignored.
+/// at a position. In the lanes `sought` the slope is positive at `place_first` and negative at `place_last`; other lanes are ignored.
 template <class V>
-KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
+KADR_IN_LANES Bracket<V> bracketed(const V& place_first, const V& place_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                    const MarksOf<V>& sought, float error, const auto& slope_at) {
-  V first = way_first, last = way_last;
+  V first = place_first, last = place_last;
   Slope<V> at_first = slope_first, at_last = slope_last;
   const V half = spread<V>(0.5f), none = spread<V>(0.f), beyond = spread<V>(0.5f * error);
   MarksOf<V> slow = sought & ~sought;
@@ -56,18 +56,18 @@ KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const 
 }
 
 template <class V>
-KADR_IN_LANES V farthest_position(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
+KADR_IN_LANES V farthest_position(const V& place_first, const V& place_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                   const MarksOf<V>& sought, float error, const auto& slope_at) {
-  const Bracket<V> b = bracketed(way_first, way_last, slope_first, slope_last, sought, error, slope_at);
+  const Bracket<V> b = bracketed(place_first, place_last, slope_first, slope_last, sought, error, slope_at);
   return 0.5f * (b.first + b.last);
 }
 
 /// Does the same as bracketed(), for a slope that is smooth everywhere, and then interpolates in the final bracket. The error of the result
 /// is much smaller than `error`.
 template <class V>
-KADR_IN_LANES V smooth_farthest_position(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
+KADR_IN_LANES V smooth_farthest_position(const V& place_first, const V& place_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                          const MarksOf<V>& sought, float error, const auto& slope_at) {
-  const Bracket<V> b = bracketed(way_first, way_last, slope_first, slope_last, sought, error, slope_at);
+  const Bracket<V> b = bracketed(place_first, place_last, slope_first, slope_last, sought, error, slope_at);
   const V place = b.first + (b.last - b.first) * (b.at_first.value / (b.at_first.value - b.at_last.value));
   return choose(sought, within(place, b.first, b.last), b.first);
 }

@@ -18,12 +18,12 @@ struct BallPath {
 /// A BallPath in the coordinates of the lattice lines of one family: one component along the lines, and two across the lines, by lane and
 /// by row.
 struct BallTube {
-  KADR_IN_LANES BallTube(const BallPath& way, int family) {
+  KADR_IN_LANES BallTube(const BallPath& path, int family) {
     const int axes[3] = {family, (family + 1) % 3, (family + 2) % 3};
     float* const of_axis[3] = {line, lane, row};
     float forth[3];
     for (int i = 0; i < 3; ++i)
-      of_axis[i][0] = way.from[axes[i]], of_axis[i][1] = way.to[axes[i]], forth[i] = of_axis[i][1] - of_axis[i][0];
+      of_axis[i][0] = path.from[axes[i]], of_axis[i][1] = path.to[axes[i]], forth[i] = of_axis[i][1] - of_axis[i][0];
     length = std::sqrt(forth[0] * forth[0] + forth[1] * forth[1] + forth[2] * forth[2]);
     const float per = 1 / std::max(length, shortest_path);
     along_line = forth[0] * per, along_lane = forth[1] * per, along_row = forth[2] * per;
@@ -31,7 +31,7 @@ struct BallTube {
     per_square = 1 / std::max(square, nearly_along);
     per_line = 1 / (std::fabs(along_line) < nearly_none ? nearly_none : along_line);
     is_there = length > shortest_path && square >= nearly_along;
-    radius_square = way.radius * way.radius;
+    radius_square = path.radius * path.radius;
   }
 
   float line[2], lane[2], row[2];           // position of the ball's centre at the start and at the end of the path, mm

@@ -11,8 +11,8 @@ constexpr double tilted_position_error = 4e-5;  // error in mm of the result tha
 
 Frustum larger_frustum(Frustum f, float by) {
   const float tall = f.high - f.low, widens = tall > 0 ? (f.high_radius - f.low_radius) / tall : 0.f;
-  const float beside = by * std::sqrt(1 + widens * widens);  // horizontal enlargement at the side of a cone, mm
-  return {f.low - by, f.high + by, std::max(f.low_radius - by * widens, 0.f) + beside, std::max(f.high_radius + by * widens, 0.f) + beside};
+  const float wider = by * std::sqrt(1 + widens * widens);  // horizontal enlargement at the side of a cone, mm
+  return {f.low - by, f.high + by, std::max(f.low_radius - by * widens, 0.f) + wider, std::max(f.high_radius + by * widens, 0.f) + wider};
 }
 
 }  // namespace

@@ -32,23 +32,23 @@ float half_shift(const TiltedSweep& s) {
 /// everything that the shaft sweeps.
 Frustum bounds_of(const TiltedBody& body, const TiltedSweep& s) {
   const float room = s.guess_error() + 1e-4f, rise = std::fabs(s.shift[2]) / 2 + room,
-              beside = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1]) / 2 + room;
-  const float low = body.kind == TiltedBody::Kind::ball ? body.shaft.low : body.low(), widest = body.widest() + beside;
+              sideways = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1]) / 2 + room;
+  const float low = body.kind == TiltedBody::Kind::ball ? body.shaft.low : body.low(), widest = body.widest() + sideways;
   return {low - rise, body.high() + rise, widest, widest};
 }
 
 }  // namespace
 
-TiltedSweep::TiltedSweep(const TiltedPath& way, Vec3 corner, double edge) {
-  const ToolEnds ends(way);
+TiltedSweep::TiltedSweep(const TiltedPath& path, Vec3 corner, double edge) {
+  const ToolEnds ends(path);
   const Vec3 centre = corner + edge / 2 * Vec3{1, 1, 1}, first = ends.first(centre), last = ends.last(centre);
-  half_turn = float(way.turn() / 2);
+  half_turn = float(path.turn() / 2);
   reach = float(edge / 2 * std::sqrt(3.0));
   const Vec3 away = ends.halfway(centre) - 0.5 * (first + last);
   bend = float(std::sqrt(dot(away, away))) + half_turn * half_turn / 2 * reach;
   for (int d = 0; d < 3; ++d) {
-    tips[0][d] = float(along(way.from - centre, d)), tips[1][d] = float(along(way.to - centre, d));
-    directions[0][d] = float(along(way.from_direction, d)), directions[1][d] = float(along(way.to_direction, d));
+    tips[0][d] = float(along(path.from - centre, d)), tips[1][d] = float(along(path.to - centre, d));
+    directions[0][d] = float(along(path.from_direction, d)), directions[1][d] = float(along(path.to_direction, d));
     middle[d] = float((along(first, d) + along(last, d)) / 2);
     shift[d] = float(along(last, d) - along(first, d));
     aside[d] = float(along(away, d));
@@ -85,12 +85,12 @@ TiltedCutter::TiltedCutter(Brick& brick, const BrickScale& scale, const TiltedCu
 
 /// Returns the path of the centre of a ball end.
 BallPath TiltedCutter::ball_path(float radius) const {
-  BallPath way{{}, {}, radius};
+  BallPath path{{}, {}, radius};
   for (int d = 0; d < 3; ++d) {
-    way.from[d] = tilted_sweep_.tips[0][d] + tilted_body_.middle * tilted_sweep_.directions[0][d];
-    way.to[d] = tilted_sweep_.tips[1][d] + tilted_body_.middle * tilted_sweep_.directions[1][d];
+    path.from[d] = tilted_sweep_.tips[0][d] + tilted_body_.middle * tilted_sweep_.directions[0][d];
+    path.to[d] = tilted_sweep_.tips[1][d] + tilted_body_.middle * tilted_sweep_.directions[1][d];
   }
-  return way;
+  return path;
 }
 
 /// Returns for each line the interval from the start of the first material to the end of the last material.

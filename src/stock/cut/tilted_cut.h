@@ -12,9 +12,9 @@ namespace kadr {
 ///   middle + sum of axes[d] * place[d] - half of (shift + sum of shift_grows[d] * place[d])
 /// The position at the end of the path is the same sum with + instead of -.
 struct TiltedSweep {
-  ///   corner  position of the brick's corner, in the coordinates of `way`
+  ///   corner  position of the brick's corner, in the coordinates of `path`
   ///   edge    edge length of the brick, mm
-  TiltedSweep(const TiltedPath& way, Vec3 corner, double edge);
+  TiltedSweep(const TiltedPath& path, Vec3 corner, double edge);
 
   float middle[3], shift[3];
   float axes[3][3], shift_grows[3][3];

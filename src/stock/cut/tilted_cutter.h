@@ -58,7 +58,7 @@ class TiltedCutter : public Cutter {
                    Swept<V>& swept);
   template <class V, TiltedBody::Kind kind>
   Swept<V> by_end(const TiltedFamily<V>& all, int family, const TiltedRow<V>& line, const Swept<V>& guess, const MarksOf<V>& by_from,
-                  const MarksOf<V>& wanted, const Swept<V>& material) const;
+                  const MarksOf<V>& sought, const Swept<V>& material) const;
   template <class V>
   void leave_for_later(const MarksOf<V>& later, int family, int row, int lane);
   template <class V, TiltedBody::Kind kind>
@@ -139,7 +139,7 @@ KADR_IN_LANES TiltedFamily<V> TiltedCutter::lines_of(int family, const PathPast<
 }
 template <class V>
 KADR_IN_LANES TiltedPosition<V> TiltedCutter::evenly_shifted_position(const TiltedLines<V>& l, const Vec3Of<V>& at) const {
-  const Vec3Of<V> first = plus(at, spread<V>(0.5f), l.past.way), last = plus(at, spread<V>(-0.5f), l.past.way);
+  const Vec3Of<V> first = plus(at, spread<V>(0.5f), l.past.travel), last = plus(at, spread<V>(-0.5f), l.past.travel);
   return {first, first, last};
 }
 
@@ -223,20 +223,20 @@ KADR_IN_LANES void TiltedCutter::cut_kind(const Reached& r, const PathPast<V>& p
   cut_family<V, kind, 0>(r, past);
 }
 
-/// Finds one end of the swept interval of each line in `wanted`: where the tool enters the line (in the lanes of `by_from`), else where it
+/// Finds one end of the swept interval of each line in `sought`: where the tool enters the line (in the lanes of `by_from`), else where it
 /// leaves the line. A position is swept if the tool, with the shift at exactly this position, contains the position. So the test is
 /// repeated at the last position found, then between a position inside and a position outside the tool. A line that is missed with the
 /// shift at one position may be met with the shift at a position nearer to the middle of the interval.
 template <class V, TiltedBody::Kind kind>
 KADR_OWN_FUNCTION Swept<V> TiltedCutter::by_end(const TiltedFamily<V>& all, int family, const TiltedRow<V>& line, const Swept<V>& guess,
-                                                const MarksOf<V>& by_from, const MarksOf<V>& wanted, const Swept<V>& material) const {
+                                                const MarksOf<V>& by_from, const MarksOf<V>& sought, const Swept<V>& material) const {
   const V half = spread<V>(half_);
   const auto in_brick = [&](const V& place) { return within(place, -half, half); };
   const Vec3Of<V> grows = vector_of<V>(tilted_sweep_.shift_grows[family]);
   TiltedLines<V> lines{all.even.heading, all.first, all.last, all.even.past};
   V low = -half, high = half, place = in_brick(choose(by_from, guess.from, guess.to) - half);
   V middle = 0.5f * (in_brick(guess.from - half) + in_brick(guess.to - half));
-  MarksOf<V> open = wanted;
+  MarksOf<V> open = sought;
   Swept<V> end_of{spread<V>(missed), spread<V>(-missed)};
   for (int i = 0;; ++i) {
     const Vec3Of<V> here = plus(line.shift, place, grows);
@@ -277,10 +277,10 @@ KADR_IN_LANES Swept<V> TiltedCutter::ends_in(const TiltedFamily<V>& all, int fam
   const MarksOf<V> other_to = by_from & ((one.to < material.to + room) | open_to);
   const MarksOf<V> other_from = ~by_from & ((one.from > material.from - room) | open_from);
   // The other end is computed even if the line misses the material with the shift at this end: the shift at the other end may differ.
-  const MarksOf<V> wanted = reached & (one.from <= one.to) & (other_to | other_from);
-  if (!any(wanted)) return one;
-  const Swept<V> two = by_end<V, kind>(all, family, line, one, ~by_from, wanted, material);
-  return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
+  const MarksOf<V> sought = reached & (one.from <= one.to) & (other_to | other_from);
+  if (!any(sought)) return one;
+  const Swept<V> two = by_end<V, kind>(all, family, line, one, ~by_from, sought, material);
+  return {choose(sought & other_from, two.from, one.from), choose(sought & other_to, two.to, one.to)};
 }
 
 /// Computes the intervals of eight lines that the tool, or only its shaft, sweeps.
@@ -291,13 +291,13 @@ KADR_OWN_FUNCTION bool TiltedCutter::sweeps(const TiltedFamily<V>& all, int fami
   const V places = lanes_at<V>(scale_.place + lane) - half_;
   const float row_position = scale_.place[row] - half_;
   const V aside = places * all.aside_lane + (row_position * all.aside_row + all.aside);
-  const MarksOf<V> beside = (material.from < material.to) & (aside <= all.reach) & (aside >= -all.reach);
-  if (!any(beside)) return false;
+  const MarksOf<V> within_reach = (material.from < material.to) & (aside <= all.reach) & (aside >= -all.reach);
+  if (!any(within_reach)) return false;
   TiltedRow<V> line;
   line.at = line_value(tilted_sweep_.middle, tilted_sweep_.axes, family, places, row_position);
   // A quick test with the pose half way along the path, and a body enlarged by the shift, excludes most lines.
   const Swept<V> nearly = in_cylinder(line.at, all.even.heading, around_);
-  const MarksOf<V> near = beside & meet({nearly.from + half_, nearly.to + half_}, material);
+  const MarksOf<V> near = within_reach & meet({nearly.from + half_, nearly.to + half_}, material);
   if (!any(near)) return false;
   line.shift = line_value(tilted_sweep_.shift, tilted_sweep_.shift_grows, family, places, row_position);
   line.first = plus(line.at, spread<V>(-0.5f), line.shift), line.last = plus(line.at, spread<V>(0.5f), line.shift);

@@ -57,18 +57,18 @@ TiltedDivision division_of(const TiltedSweep& s, const TiltedBody& body) {
   if (s.half_turn == 0) return division;
   const HeightRange heights = heights_of(s);
   std::array<double, 5> at{0, 1};
-  int stretches = 1;
+  int sections = 1;
   if (has_face(body, heights))
     for (int family = 0; family < 3; ++family) {
       const double first = double(s.axes_first[family][2]), last = double(s.axes_last[family][2]);
-      if (first * last < 0) put_between(at, stretches, first / (first - last));
+      if (first * last < 0) put_between(at, sections, first / (first - last));
     }
   const double each = std::sqrt(bend_of(s, body, heights) / bend_in_brick);
-  if (stretches == 1 && each <= 1) return division;
+  if (sections == 1 && each <= 1) return division;
   division.parts = 0;
-  for (int i = 0; i < stretches; ++i) {
+  for (int i = 0; i < sections; ++i) {
     const double from = at[std::size_t(i)], wide = at[std::size_t(i + 1)] - from;
-    const int room = TiltedDivision::max_parts - division.parts - (stretches - 1 - i);
+    const int room = TiltedDivision::max_parts - division.parts - (sections - 1 - i);
     const int parts = std::clamp(int(std::ceil(wide * each)), 1, room);
     for (int part = 0; part < parts; ++part) division.share[std::size_t(++division.parts)] = from + wide * (part + 1) / parts;
   }

@@ -63,7 +63,7 @@ KADR_IN_LANES Vec3Of<V> vector_of(const Heading& h) {
 /// The motion of the tool past lattice lines during the path, without the tool's turn.
 template <class V>
 struct PathPast {
-  Vec3Of<V> way, forth;  // way: vector of the motion, mm; forth: unit vector of the motion
+  Vec3Of<V> travel, forth;  // travel: vector of the motion, mm; forth: unit vector of the motion
   V length, per_flat;
   MarksOf<V> moves, moves_flat;
 };
@@ -75,12 +75,13 @@ struct TiltedLines {
   PathPast<V> past;
 };
 template <class V>
-KADR_IN_LANES PathPast<V> path_past(const Vec3Of<V>& way) {
+KADR_IN_LANES PathPast<V> path_past(const Vec3Of<V>& travel) {
   PathPast<V> l;
-  const V flat_square = way.x * way.x + way.y * way.y, square = flat_square + way.z * way.z, flat = square_root(flat_square);
-  l.way = way, l.length = square_root(square);
+  const V flat_square = travel.x * travel.x + travel.y * travel.y, square = flat_square + travel.z * travel.z,
+          flat = square_root(flat_square);
+  l.travel = travel, l.length = square_root(square);
   const V per = 1.f / most(l.length, spread<V>(shortest_path));
-  l.forth = {way.x * per, way.y * per, way.z * per};
+  l.forth = {travel.x * per, travel.y * per, travel.z * per};
   l.per_flat = 1.f / most(flat, spread<V>(shortest_path));
   l.moves = square > shortest_path * shortest_path, l.moves_flat = flat > shortest_path;
   return l;
@@ -126,12 +127,13 @@ KADR_IN_LANES void clip_between(Swept<V>& s, const V& start, const V& max_value,
 
 inline constexpr float nearly_still = 1e-24f;  // limit in mm²; on a path with a smaller squared length, a tool counts as not moving
 
-/// Returns the interval of t in which the point (x, y) + t · (way_x, way_y) is inside a circle about the tool's axis. `square` is the
-/// squared length of `way`; if it is less than `none`, the point counts as fixed.
+/// Returns the interval of t in which the point (x, y) + t · (travel_x, travel_y) is inside a circle about the tool's axis. `square` is the
+/// squared length of `travel`; if it is less than `none`, the point counts as fixed.
 template <class V>
-KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const V& way_x, const V& way_y, const V& square, const V& radius, float none) {
-  const V cross = x * way_y - y * way_x, room = radius * radius * square - cross * cross, per = 1.f / most(square, spread<V>(none));
-  const V middle = -(x * way_x + y * way_y) * per, half = root(room) * per;
+KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const V& travel_x, const V& travel_y, const V& square, const V& radius,
+                                 float none) {
+  const V cross = x * travel_y - y * travel_x, room = radius * radius * square - cross * cross, per = 1.f / most(square, spread<V>(none));
+  const V middle = -(x * travel_x + y * travel_y) * per, half = root(room) * per;
   const MarksOf<V> along = square < none, inside = x * x + y * y < radius * radius;
   return {choose(along, choose(inside, spread<V>(-missed), spread<V>(missed)), choose(room > 0.f, middle - half, spread<V>(missed))),
           choose(along, choose(inside, spread<V>(missed), spread<V>(-missed)), choose(room > 0.f, middle + half, spread<V>(-missed)))};
@@ -202,15 +204,15 @@ KADR_IN_LANES Swept<V> in_shifted_disc(const TiltedLines<V>& l, const Vec3Of<V>&
   // The point at the position s on the line is in the plane of the face, when the face is at the position t on the path, if s h.z - t way.z
   // = height - at.z. The solutions (s, t) form a straight line; the solution nearest to the origin (0, 0) is computed first.
   const Heading& h = l.heading;
-  const Vec3Of<V>& way = l.past.way;
-  const V square = way.z * way.z + h.z * h.z, per = 1.f / most(square, spread<V>(shortest_path * shortest_path)),
+  const Vec3Of<V>& travel = l.past.travel;
+  const V square = travel.z * travel.z + h.z * h.z, per = 1.f / most(square, spread<V>(shortest_path * shortest_path)),
           up = (height - at.z) * per;
-  const V s = h.z * up, t = -way.z * up;
-  const V x = at.x + s * h.x - t * way.x, y = at.y + s * h.y - t * way.y;
-  const V way_x = way.z * h.x - h.z * way.x, way_y = way.z * h.y - h.z * way.y;
-  Swept<V> in = in_circle(x, y, way_x, way_y, way_x * way_x + way_y * way_y, spread<V>(radius), nearly_still);
+  const V s = h.z * up, t = -travel.z * up;
+  const V x = at.x + s * h.x - t * travel.x, y = at.y + s * h.y - t * travel.y;
+  const V travel_x = travel.z * h.x - h.z * travel.x, travel_y = travel.z * h.y - h.z * travel.y;
+  Swept<V> in = in_circle(x, y, travel_x, travel_y, travel_x * travel_x + travel_y * travel_y, spread<V>(radius), nearly_still);
   clip_between(in, t, spread<V>(1.f), h.per_z);
-  const V a = s + in.from * way.z, b = s + in.to * way.z;
+  const V a = s + in.from * travel.z, b = s + in.to * travel.z;
   // If neither the motion of the face nor the line has a Z component, the line is in the face at an end of the path or never, so the result
   // is empty.
   return where((in.from <= in.to) & (square > shortest_path * shortest_path) & l.past.moves, least(a, b), most(a, b));
@@ -222,11 +224,11 @@ template <class V>
 KADR_IN_LANES Swept<V> in_shifted_outline(const TiltedLines<V>& l, const Vec3Of<V>& at, const Frustum& f) {
   const Heading& e = l.heading;
   const PathPast<V>& p = l.past;
-  const V ux = p.way.x * p.per_flat, uy = p.way.y * p.per_flat;
+  const V ux = p.travel.x * p.per_flat, uy = p.travel.y * p.per_flat;
   // A point is level with the outline at the fraction t (0 to 1) of the path at which the point is exactly to the side of the axis.
   const V part = (at.x * ux + at.y * uy) * p.per_flat, part_slope = (e.x * ux + e.y * uy) * p.per_flat;
   const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
-  const V height = at.z - part * p.way.z, height_slope = e.z - part_slope * p.way.z;
+  const V height = at.z - part * p.travel.z, height_slope = e.z - part_slope * p.travel.z;
   Swept<V> s = everywhere<V>();
   clip_between(s, part, spread<V>(1.f), inverse(part_slope));
   clip_between(s, side + f.low_radius, spread<V>(2 * f.low_radius), inverse(side_slope));
@@ -239,21 +241,21 @@ template <class V>
 KADR_IN_LANES Swept<V> in_shifted_cone_outline(const TiltedLines<V>& l, const Vec3Of<V>& at, const Frustum& f, float widens) {
   const Heading& e = l.heading;
   const PathPast<V>& p = l.past;
-  const V ux = p.way.x * p.per_flat, uy = p.way.y * p.per_flat, one = spread<V>(1.f);
-  const V facing = p.way.z * p.per_flat * widens, beside_square = one - facing * facing, beside = root(beside_square);
-  const V per = p.per_flat / most(beside_square, spread<V>(shortest_path));
+  const V ux = p.travel.x * p.per_flat, uy = p.travel.y * p.per_flat, one = spread<V>(1.f);
+  const V facing = p.travel.z * p.per_flat * widens, cosine_square = one - facing * facing, cosine = root(cosine_square);
+  const V per = p.per_flat / most(cosine_square, spread<V>(shortest_path));
   // The outline is at the fraction t (0 to 1) of the path at which along - facing * radius(height) = 0.
   const V radius = spread<V>(f.low_radius) + (at.z - f.low) * widens;
   const V part = (at.x * ux + at.y * uy - facing * radius) * per, part_slope = (e.x * ux + e.y * uy - facing * (e.z * widens)) * per;
   const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
-  const V height = at.z - part * p.way.z, height_slope = e.z - part_slope * p.way.z;
-  const V wide = beside * (spread<V>(f.low_radius) + (height - f.low) * widens), wide_slope = beside * height_slope * widens;
+  const V height = at.z - part * p.travel.z, height_slope = e.z - part_slope * p.travel.z;
+  const V wide = cosine * (spread<V>(f.low_radius) + (height - f.low) * widens), wide_slope = cosine * height_slope * widens;
   Swept<V> s = everywhere<V>();
   clip_between(s, part, one, inverse(part_slope));
   clip(s, wide - side, wide_slope - side_slope);
   clip(s, wide + side, wide_slope + side_slope);
   clip_between(s, height - f.low, spread<V>(f.high - f.low), inverse(height_slope));
-  return where((s.from <= s.to) & p.moves_flat & (beside_square > shortest_path), s.from, s.to);
+  return where((s.from <= s.to) & p.moves_flat & (cosine_square > shortest_path), s.from, s.to);
 }
 
 /// Marks the lines that may come nearer to the axis than `radius`. All other lines stay on one side of the axis, and farther away than
@@ -261,7 +263,7 @@ KADR_IN_LANES Swept<V> in_shifted_cone_outline(const TiltedLines<V>& l, const Ve
 template <class V>
 KADR_IN_LANES MarksOf<V> come_near(const TiltedLines<V>& l, const Vec3Of<V>& at, float radius) {
   const Heading& h = l.heading;
-  const V first = at.x * h.y - at.y * h.x, last = first - (l.past.way.x * h.y - l.past.way.y * h.x);
+  const V first = at.x * h.y - at.y * h.x, last = first - (l.past.travel.x * h.y - l.past.travel.y * h.x);
   const float reach = radius * std::sqrt(h.square) + shortest_path;
   return (least(first, last) <= reach) & (most(first, last) >= -reach);
 }

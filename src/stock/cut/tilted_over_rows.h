@@ -22,22 +22,22 @@ struct LineAtEnd {
 };
 
 /// Marks lines that have an interval in both end poses (`first`, `last`), with a gap of more than `apart` mm between the two intervals. A
-/// line whose interval `asked` extends only a little into this gap is not marked, because the error is then at most turn · (length in the
+/// line whose interval `sought` extends only a little into this gap is not marked, because the error is then at most turn · (length in the
 /// gap).
 template <class V>
-KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
+KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, const Swept<V>& sought, float apart) {
   const V from = least(first.to, last.to), to = most(first.from, last.from);
-  return (first.from <= first.to) & (last.from <= last.to) & (to - from > apart) & (asked.from <= asked.to) &
-         (least(asked.to - from, to - asked.from) > 0.25f * apart);
+  return (first.from <= first.to) & (last.from <= last.to) & (to - from > apart) & (sought.from <= sought.to) &
+         (least(sought.to - from, to - sought.from) > 0.25f * apart);
 }
 
-/// Marks lines of which more than `apart` mm of the interval `asked` are outside the intervals in the end poses, and lines that are_apart()
-/// marks. The curvature of a cone grows towards the apex, so a gap may appear and vanish between the end poses.
+/// Marks lines of which more than `apart` mm of the interval `sought` are outside the intervals in the end poses, and lines that
+/// are_apart() marks. The curvature of a cone grows towards the apex, so a gap may appear and vanish between the end poses.
 template <class V>
-KADR_IN_LANES MarksOf<V> are_far_from(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
+KADR_IN_LANES MarksOf<V> are_far_from(const Swept<V>& first, const Swept<V>& last, const Swept<V>& sought, float apart) {
   const V from = least(first.from, last.from), to = most(first.to, last.to);
-  const MarksOf<V> before = least(from, asked.to) - asked.from > apart, after = asked.to - most(to, asked.from) > apart;
-  return (asked.from <= asked.to) & (before | after | are_apart(first, last, asked, apart));
+  const MarksOf<V> before = least(from, sought.to) - sought.from > apart, after = sought.to - most(to, sought.from) > apart;
+  return (sought.from <= sought.to) & (before | after | are_apart(first, last, sought, apart));
 }
 
 template <class V>
@@ -56,9 +56,9 @@ KADR_IN_LANES Swept<V> in_rounded(const LineAtEnd<V>& line, const TiltedBody& bo
 
 template <class V, TiltedBody::Kind kind>
 KADR_IN_LANES MarksOf<V> are_turned_over(const TiltedOver& over, int family, const TiltedBody& body, const LineAtEnd<V>& first,
-                                         const LineAtEnd<V>& last, const Swept<V>& asked) {
+                                         const LineAtEnd<V>& last, const Swept<V>& sought) {
   const TiltedOver::Family& by = over.family[family];
-  MarksOf<V> turned = asked.from < asked.to;
+  MarksOf<V> turned = sought.from < sought.to;
   if (!any(turned)) return turned;
   turned = turned & ~turned;
   // The side of the shaft counts as unlimited in height: a line that, in an end pose, meets the side beyond a face of the body meets the
@@ -66,13 +66,13 @@ KADR_IN_LANES MarksOf<V> are_turned_over(const TiltedOver& over, int family, con
   if (by.by_shaft) {
     const float radius = body.shaft.low_radius;
     const auto in = [&](const LineAtEnd<V>& l) { return in_circle(l.at.x, l.at.y, l.heading, radius); };
-    turned = are_apart(in(first), in(last), asked, over.apart);
+    turned = are_apart(in(first), in(last), sought, over.apart);
   }
   if constexpr (kind == TiltedBody::Kind::cone) {
-    if (by.by_end) turned = turned | are_far_from(in_cone_and_shaft(first, body), in_cone_and_shaft(last, body), asked, over.apart);
+    if (by.by_end) turned = turned | are_far_from(in_cone_and_shaft(first, body), in_cone_and_shaft(last, body), sought, over.apart);
   }
   if constexpr (kind == TiltedBody::Kind::rounded) {
-    if (by.by_edge) turned = turned | are_apart(in_rounded(first, body), in_rounded(last, body), asked, over.apart);
+    if (by.by_edge) turned = turned | are_apart(in_rounded(first, body), in_rounded(last, body), sought, over.apart);
   }
   return turned;
 }

@@ -19,7 +19,7 @@ double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
 Vec3 unit_by_root(Vec3 v) { return (1 / size_of(v)) * v; }
 
 /// Returns a unit vector perpendicular to `direction`.
-Vec3 beside(Vec3 direction) {
+Vec3 any_normal(Vec3 direction) {
   const Vec3 away = std::fabs(direction.x) <= std::fabs(direction.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   return unit_by_root(cross(away, direction));
 }
@@ -52,7 +52,7 @@ Vec3 TiltedPath::direction(double part) const {
   Vec3 a = from_direction, b = to_direction;
   double first = 0, last = 1;
   // Between opposite directions there is no unique shortest arc, so any of the shortest arcs is used.
-  const auto middle = [](Vec3 c, Vec3 d) { return size_of(c + d) < 2 * opposite ? beside(c) : unit_by_root(c + d); };
+  const auto middle = [](Vec3 c, Vec3 d) { return size_of(c + d) < 2 * opposite ? any_normal(c) : unit_by_root(c + d); };
   while (size_of(b - a) > small_chord) {
     const double half = (first + last) / 2;
     (part < half ? b : a) = middle(a, b);
@@ -62,8 +62,8 @@ Vec3 TiltedPath::direction(double part) const {
   return unit_by_root(a + ((part - first) / (last - first)) * (b - a));
 }
 
-int parts_of(const TiltedPath& way, double reach, double bend) {
-  const double turn = way.turn(), all = size_of(way.to - way.from) * turn / 4 + reach * turn * turn / 8;
+int parts_of(const TiltedPath& path, double reach, double bend) {
+  const double turn = path.turn(), all = size_of(path.to - path.from) * turn / 4 + reach * turn * turn / 8;
   return int(std::clamp(std::ceil(std::max(turn / max_turn, std::sqrt(all / bend)) - 1e-9), 1.0, double(max_parts)));
 }
 
@@ -73,24 +73,24 @@ double reach_of(const ToolShape& tool) {
   return most;
 }
 
-ToolEnds::ToolEnds(const TiltedPath& way) : from(way.from), to(way.to) {
-  const Vec3 z = unit_by_root(way.from_direction + way.to_direction), x = beside(z), y = cross(z, x);
+ToolEnds::ToolEnds(const TiltedPath& path) : from(path.from), to(path.to) {
+  const Vec3 z = unit_by_root(path.from_direction + path.to_direction), x = any_normal(z), y = cross(z, x);
   axes_halfway = {x, y, z};
-  const Carry back(z, way.from_direction), forth(z, way.to_direction);
-  axes_first = {back(x), back(y), way.from_direction};
-  axes_last = {forth(x), forth(y), way.to_direction};
+  const Carry back(z, path.from_direction), forth(z, path.to_direction);
+  axes_first = {back(x), back(y), path.from_direction};
+  axes_last = {forth(x), forth(y), path.to_direction};
 }
 
-Box3 box_around(const TiltedPath& way, double low, double high, double radius) {
+Box3 box_around(const TiltedPath& path, double low, double high, double radius) {
   Box3 box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
   // Deviation in mm of the path of a point, at the height `high` on the tool, from the chord of this path.
-  const double bent = high * way.turn() * way.turn() / 8;
+  const double bent = high * path.turn() * path.turn() / 8;
   for (const bool end : {false, true}) {
-    const Vec3 tip = end ? way.to : way.from, direction = end ? way.to_direction : way.from_direction;
+    const Vec3 tip = end ? path.to : path.from, direction = end ? path.to_direction : path.from_direction;
     for (const double height : {low, high})
       for (int d = 0; d < 3; ++d) {
         const double slope = along(direction, d), at = along(tip, d) + height * slope;
-        const double room = radius * std::min(std::sqrt(std::max(1 - slope * slope, 0.0)) + way.turn(), 1.0) + bent;
+        const double room = radius * std::min(std::sqrt(std::max(1 - slope * slope, 0.0)) + path.turn(), 1.0) + bent;
         along(box.least, d) = std::min(along(box.least, d), at - room);
         along(box.most, d) = std::max(along(box.most, d), at + room);
       }
@@ -98,12 +98,12 @@ Box3 box_around(const TiltedPath& way, double low, double high, double radius) {
   return box;
 }
 
-AroundTip around_tilted_tip(const TiltedPath& way, double low, double high, double radius) {
-  if (way.turn() > max_turn) {
+AroundTip around_tilted_tip(const TiltedPath& path, double low, double high, double radius) {
+  if (path.turn() > max_turn) {
     const double reach = length(Vec2{std::max(high, -low), radius});
     return {reach, reach, reach};
   }
-  const Box3 box = box_around({{}, {}, way.from_direction, way.to_direction}, low, high, radius);
+  const Box3 box = box_around({{}, {}, path.from_direction, path.to_direction}, low, high, radius);
   return {std::max({-box.least.x, -box.least.y, box.most.x, box.most.y}), -box.least.z, box.most.z};
 }
 

@@ -34,7 +34,7 @@ inline constexpr double max_turn = 0.02;
 
 /// Returns the number of equal parts into which a path must be divided so that no part bends by more than `bend` mm.
 ///   reach  distance from the tip to the farthest point of the tool, mm
-int parts_of(const TiltedPath& way, double reach, double bend);
+int parts_of(const TiltedPath& path, double reach, double bend);
 
 double reach_of(const ToolShape& tool);
 
@@ -47,7 +47,7 @@ using ToolAxes = std::array<Vec3, 3>;
 /// Converts a point into the tool's coordinates at the start, half way and at the end of a path: x, y from the tool's axis, z above the
 /// tip.
 struct ToolEnds {
-  explicit ToolEnds(const TiltedPath& way);
+  explicit ToolEnds(const TiltedPath& path);
   Vec3 first(Vec3 place) const { return in(axes_first, place - from); }
   Vec3 last(Vec3 place) const { return in(axes_last, place - to); }
   Vec3 halfway(Vec3 place) const { return in(axes_halfway, place - 0.5 * (from + to)); }
@@ -59,9 +59,9 @@ struct ToolEnds {
 
 /// Returns a box around the volume that a body of a tool sweeps on a path with a small turn.
 ///   low, high  heights of the bottom and the top of the body above the tip, mm
-Box3 box_around(const TiltedPath& way, double low, double high, double radius);
+Box3 box_around(const TiltedPath& path, double low, double high, double radius);
 
 /// Returns upper bounds for the distances by which a body extends around its tip, for all directions of the tool on the path.
-AroundTip around_tilted_tip(const TiltedPath& way, double low, double high, double radius);
+AroundTip around_tilted_tip(const TiltedPath& path, double low, double high, double radius);
 
 }  // namespace kadr

@@ -61,8 +61,8 @@ KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const Pa
   const Heading& e = pose.heading;
   const V up = forth * (past.shift.z + place * past.grows.z);
   const V x = pose.at.x + place * e.x, y = pose.at.y + place * e.y, through = x * e.x + y * e.y;
-  const V beside = forth * (x * (past.shift.x + place * past.grows.x) + y * (past.shift.y + place * past.grows.y));
-  const MarksOf<V> side = (beside >= past.bend * past.radius) & (most(through, -through) >= past.steep * past.radius);
+  const V aside = forth * (x * (past.shift.x + place * past.grows.x) + y * (past.shift.y + place * past.grows.y));
+  const MarksOf<V> side = (aside >= past.bend * past.radius) & (most(through, -through) >= past.steep * past.radius);
   const MarksOf<V> face = (face_is_upper ? up : -up) >= (std::fabs(e.z) >= past.steep ? past.bend : missed);
   return choose(by_face, face, side);
 }

@@ -54,8 +54,8 @@ inline constexpr float on_surface = 5e-5f;  // limit in mm: a point whose distan
 /// radius `flat` and is above the height `middle`.
 template <class V>
 struct FromShaft {
-  V beside, below;  // horizontal and vertical component in mm: `beside` is at least 0, `below` is at most 0
-  V out_x, out_y;   // unit vector in the direction of `beside`
+  V sideways, below;  // horizontal and vertical component in mm: `sideways` is at least 0, `below` is at most 0
+  V out_x, out_y;     // unit vector in the direction of `sideways`
 };
 template <class V>
 KADR_IN_LANES FromShaft<V> from_shaft(const TiltedLines<V>& l, const TiltedBody& b, const Vec3Of<V>& place, const V& t) {
@@ -83,7 +83,7 @@ KADR_OWN_FUNCTION V end_of_rounded(const TiltedLines<V>& l, const TiltedBody& b,
     const V last = choose(rises | level, length, within(bound, none, length));
     const auto slope_at = [&](const V& t) {
       const FromShaft<V> from = from_shaft(l, b, here, t);
-      return Slope<V>{from.beside * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up, from.beside >= 0.f};
+      return Slope<V>{from.sideways * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up, from.sideways >= 0.f};
     };
     const Slope<V> at_first = slope_at(first), at_last = slope_at(last);
     const MarksOf<V> begins = at_first.value <= 0.f, ends = ~begins & (at_last.value >= 0.f), between = open & ~begins & ~ends;
@@ -91,10 +91,10 @@ KADR_OWN_FUNCTION V end_of_rounded(const TiltedLines<V>& l, const TiltedBody& b,
     if (any(between))
       t = choose(between, smooth_farthest_position(first, last, at_first, at_last, between, b.error_at_position, slope_at), t);
     const FromShaft<V> from = from_shaft(l, b, here, t);
-    const V far = square_root(from.beside * from.beside + from.below * from.below), distance = far - b.corner;
-    V grows = from.beside * (from.out_x * e.x + from.out_y * e.y) + from.below * e.z;
+    const V far = square_root(from.sideways * from.sideways + from.below * from.below), distance = far - b.corner;
+    V grows = from.sideways * (from.out_x * e.x + from.out_y * e.y) + from.below * e.z;
     // If the top of the body limits the section of the path, this limit changes with the position on the line, and so does the distance.
-    const V towards = from.beside * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up;
+    const V towards = from.sideways * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up;
     const MarksOf<V> held = ~level & choose(rises, begins & (bound > 0.f), ends & (bound < length));
     grows = grows - choose(held, towards * e.z * per_up, none);
     const V outward = grows * sign / most(far, spread<V>(shortest_path));
@@ -158,7 +158,7 @@ KADR_IN_LANES Swept<V> tilted_between(const TiltedLines<V>& l, const TiltedBody&
 /// path. The computation of what the body sweeps between the poses starts from these intervals.
 template <class V, TiltedBody::Kind kind>
 KADR_IN_LANES Swept<V> shifted_at_ends(const TiltedLines<V>& l, const TiltedBody& b, const Vec3Of<V>& at) {
-  return tilted_at_ends<V, kind>({l.heading, l.heading, l.heading, l.past}, b, {at, at, plus(at, spread<V>(-1.f), l.past.way)});
+  return tilted_at_ends<V, kind>({l.heading, l.heading, l.heading, l.past}, b, {at, at, plus(at, spread<V>(-1.f), l.past.travel)});
 }
 
 }  // namespace kadr::lanes

@@ -36,8 +36,8 @@ template <class V>
 KADR_IN_LANES Over<V> over_line(const LocalSweep& s, const V& x, float y, float radius) {
   const float wx = s.flat_direction[0], wy = s.flat_direction[1], per_square = s.per_flat * s.per_flat, dy = y - s.from[1];
   const V dx = x - s.from[0], none = spread<V>(0.f), nearest = (dx * wx + spread<V>(dy * wy)) * per_square;
-  const V beside = dx * wy - spread<V>(dy * wx);
-  const V apart = s.upright ? dx * dx + spread<V>(dy * dy) : beside * beside * per_square;
+  const V aside = dx * wy - spread<V>(dy * wx);
+  const V apart = s.upright ? dx * dx + spread<V>(dy * dy) : aside * aside * per_square;
   const V room = spread<V>(radius * radius) - apart, half = root(room) * s.per_flat;
   const V first = most(nearest - half, none), last = least(nearest + half, spread<V>(s.length));
   return {nearest, apart, first, last, (room > 0.f) & (first <= last)};
@@ -64,7 +64,7 @@ KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const O
   const auto slope_at = [&](const V& at) {
     const V q = at - over.nearest, r = square_root(over.apart + q * q * square + spread<V>(1e-18f));
     const V beyond = most(r - b.flat, spread<V>(0.f)), chord = root(spread<V>(corner_square) - beyond * beyond);
-    return Slope<V>{-(chord * r * s.way[2] + beyond * q * square), beyond >= 0.f};
+    return Slope<V>{-(chord * r * s.direction[2] + beyond * q * square), beyond >= 0.f};
   };
   const Slope<V> at_first = slope_at(over.first), at_last = slope_at(over.last);
   const MarksOf<V> begins = at_first.value <= 0.f, ends = ~begins & (at_last.value >= 0.f), sought = over.meets & ~begins & ~ends;
@@ -77,7 +77,7 @@ KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const O
 /// Returns the distance, in the XY plane, between two positions on the path: the one at which a cone is nearest to a line, and the one at
 /// which the cone is lowest over the line. The result is per mm of the nearest distance between the cone's axis and the line.
 inline float cone_lag(const LocalSweep& s, const SweptBody& b) {
-  const float steep = std::fabs(s.way[2]) * s.per_flat * b.widens;
+  const float steep = std::fabs(s.direction[2]) * s.per_flat * b.widens;
   return steep < 1.f ? steep / std::sqrt(std::max(1.f - steep * steep, nearly_none)) : missed;
 }
 
@@ -85,15 +85,15 @@ inline float cone_lag(const LocalSweep& s, const SweptBody& b) {
 template <class V, BodyEnd end>
 KADR_IN_LANES V lowest_place(const LocalSweep& s, const SweptBody& b, const Over<V>& over) {
   const V none = spread<V>(0.f);
-  if constexpr (end == BodyEnd::flat) return s.way[2] > 0.f ? over.first : over.last;
+  if constexpr (end == BodyEnd::flat) return s.direction[2] > 0.f ? over.first : over.last;
   if constexpr (end == BodyEnd::torus) return lowest_of_torus(s, b, over);
   V before;  // distance in mm, along the path in the XY plane, from the lowest position to the nearest position; positive if the path rises
   if constexpr (end == BodyEnd::ball) {
-    before = root(spread<V>(b.radius * b.radius) - over.apart) * (s.way[2] * s.per_flat);
+    before = root(spread<V>(b.radius * b.radius) - over.apart) * (s.direction[2] * s.per_flat);
   } else {
-    const V flat = s.way[2] == 0.f ? none : root(spread<V>(b.flat * b.flat) - over.apart);
+    const V flat = s.direction[2] == 0.f ? none : root(spread<V>(b.flat * b.flat) - over.apart);
     const V lag = most(least(square_root(over.apart) * cone_lag(s, b), spread<V>(missed)), flat) * s.per_flat;
-    before = s.way[2] > 0.f ? lag : -lag;
+    before = s.direction[2] > 0.f ? lag : -lag;
   }
   return within(over.nearest - before, over.first, over.last);
 }
@@ -108,9 +108,9 @@ KADR_IN_LANES Swept<V> upright_lines(const LocalSweep& s, const SweptBody& b, co
   V height = spread<V>(0.f);
   if constexpr (end == BodyEnd::ball) height = spread<V>(b.corner) - root(spread<V>(b.corner * b.corner) - square);
   else if constexpr (end != BodyEnd::flat) height = end_height<V, end>(b, root(square));
-  const V from = lowest * s.way[2] + height + base;
-  tip = lowest * s.way[2] + s.from[2];
-  const V to = (s.way[2] > 0.f ? over.last : over.first) * s.way[2] + (s.from[2] + b.top);
+  const V from = lowest * s.direction[2] + height + base;
+  tip = lowest * s.direction[2] + s.from[2];
+  const V to = (s.direction[2] > 0.f ? over.last : over.first) * s.direction[2] + (s.from[2] + b.top);
   return where(over.meets, from, to);
 }
 

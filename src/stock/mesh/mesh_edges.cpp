@@ -15,26 +15,26 @@ std::vector<EdgeUse> edge_uses(const Mesh& mesh) {
   std::vector<std::size_t> next(mesh.point_count() + 1, 0);
   each([&](std::size_t, std::uint32_t a, std::uint32_t b) { ++next[std::size_t(std::min(a, b)) + 1]; });
   for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
-  std::vector<EdgeUse> ways(mesh.triangles.size());
+  std::vector<EdgeUse> uses(mesh.triangles.size());
   each([&](std::size_t t, std::uint32_t a, std::uint32_t b) {
-    ways[next[std::min(a, b)]++] = {std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), std::uint32_t(t), a < b};
+    uses[next[std::min(a, b)]++] = {std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), std::uint32_t(t), a < b};
   });
   for (std::size_t point = 0; point + 1 < next.size(); ++point)
-    std::sort(ways.begin() + std::ptrdiff_t(point == 0 ? 0 : next[point - 1]), ways.begin() + std::ptrdiff_t(next[point]),
+    std::sort(uses.begin() + std::ptrdiff_t(point == 0 ? 0 : next[point - 1]), uses.begin() + std::ptrdiff_t(next[point]),
               [](const EdgeUse& a, const EdgeUse& b) { return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle; });
-  return ways;
+  return uses;
 }
 
 MeshEdges edges_of(const Mesh& mesh) {
-  const std::vector<EdgeUse> ways = edge_uses(mesh);
+  const std::vector<EdgeUse> uses = edge_uses(mesh);
   MeshEdges edges;
   edges.open_triangle = mesh.triangle_count();
-  for (std::size_t i = 0; i < ways.size();) {
+  for (std::size_t i = 0; i < uses.size();) {
     std::size_t up = 0, down = 0, end = i;
-    for (; end < ways.size() && ways[end].ends == ways[i].ends; ++end) ++(ways[end].upwards ? up : down);
+    for (; end < uses.size() && uses[end].ends == uses[i].ends; ++end) ++(uses[end].upwards ? up : down);
     edges.open += up > down ? up - down : down - up;
     edges.doubled += (up > 1 ? up - 1 : 0) + (down > 1 ? down - 1 : 0);
-    if (up != down) edges.open_triangle = std::min<std::size_t>(edges.open_triangle, ways[i].triangle);
+    if (up != down) edges.open_triangle = std::min<std::size_t>(edges.open_triangle, uses[i].triangle);
     i = end;
   }
   return edges;

@@ -59,17 +59,17 @@ std::string Repair::bad_point_message() const {
 /// Turns the triangles of each shell so that they fit the first triangle of the shell: two neighbouring triangles must use their common
 /// edge in opposite directions. Returns false if no orientation of the triangles fits.
 bool Repair::turn_to_fit() {
-  const std::vector<EdgeUse> ways = edge_uses(mesh);
+  const std::vector<EdgeUse> uses = edge_uses(mesh);
   const std::size_t count = mesh.triangle_count();
   // For each triangle its three neighbours, each as twice the number of the neighbour, plus 1 if both triangles use their common edge in
   // the same direction.
-  std::vector<std::uint32_t> beside(3 * count), found(count, 0);
-  for (std::size_t i = 0; i < ways.size(); i += 2) {
-    if (i + 1 >= ways.size() || ways[i].ends != ways[i + 1].ends || (i + 2 < ways.size() && ways[i + 2].ends == ways[i].ends)) return false;
-    const EdgeUse &a = ways[i], &b = ways[i + 1];
+  std::vector<std::uint32_t> neighbours(3 * count), found(count, 0);
+  for (std::size_t i = 0; i < uses.size(); i += 2) {
+    if (i + 1 >= uses.size() || uses[i].ends != uses[i + 1].ends || (i + 2 < uses.size() && uses[i + 2].ends == uses[i].ends)) return false;
+    const EdgeUse &a = uses[i], &b = uses[i + 1];
     const std::uint32_t same = a.upwards == b.upwards;
-    beside[3 * std::size_t(a.triangle) + found[a.triangle]++] = 2 * b.triangle + same;
-    beside[3 * std::size_t(b.triangle) + found[b.triangle]++] = 2 * a.triangle + same;
+    neighbours[3 * std::size_t(a.triangle) + found[a.triangle]++] = 2 * b.triangle + same;
+    neighbours[3 * std::size_t(b.triangle) + found[b.triangle]++] = 2 * a.triangle + same;
   }
   std::vector<std::uint8_t> turned(count, 2);  // 1: the triangle is turned; 0: not turned; 2: not yet decided
   std::vector<std::uint32_t> open;
@@ -82,10 +82,10 @@ bool Repair::turn_to_fit() {
       const std::uint32_t t = open.back();
       open.pop_back();
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t other = beside[3 * std::size_t(t) + k] / 2;
-        const std::uint8_t wanted = turned[t] ^ std::uint8_t(beside[3 * std::size_t(t) + k] & 1);
-        if (turned[other] == 2) turned[other] = wanted, open.push_back(other);
-        else if (turned[other] != wanted) return false;  // the surface has only one side, as a Möbius strip has
+        const std::uint32_t other = neighbours[3 * std::size_t(t) + k] / 2;
+        const std::uint8_t orientation = turned[t] ^ std::uint8_t(neighbours[3 * std::size_t(t) + k] & 1);
+        if (turned[other] == 2) turned[other] = orientation, open.push_back(other);
+        else if (turned[other] != orientation) return false;  // the surface has only one side, as a Möbius strip has
       }
     }
   }
@@ -107,11 +107,11 @@ void Repair::close() {
 /// Merges points of edges that belong to an odd number of triangles, because such edges are open.
 void Repair::join_near() {
   std::vector<bool> marked(mesh.point_count(), false);
-  const std::vector<EdgeUse> ways = edge_uses(mesh);
-  for (std::size_t i = 0, end = 0; i < ways.size(); i = end) {
-    for (end = i; end < ways.size() && ways[end].ends == ways[i].ends;) ++end;
+  const std::vector<EdgeUse> uses = edge_uses(mesh);
+  for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+    for (end = i; end < uses.size() && uses[end].ends == uses[i].ends;) ++end;
     if ((end - i) % 2 == 0) continue;
-    marked[std::size_t(ways[i].ends >> 32)] = marked[std::size_t(ways[i].ends & 0xffffffffu)] = true;
+    marked[std::size_t(uses[i].ends >> 32)] = marked[std::size_t(uses[i].ends & 0xffffffffu)] = true;
   }
   if (const std::size_t joined = weld_near(mesh, marked, rules.weld); joined > 0) {
     notes.push_back(counted(texts::mesh::points_joined, joined, mm(rules.weld)));

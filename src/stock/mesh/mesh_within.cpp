@@ -76,9 +76,9 @@ MeshWithin mesh_within(const Mesh& mesh, const Box3& box) {
       return std::all_of(triangle.corner.begin(), triangle.corner.begin() + 3,
                          [&](const Vec3& p) { return side * (along(p, axis) - place) >= 0; });
     };
-    bool beside = all_beyond(2, box.least.z, -1);
-    for (int d = 0; d < 2 && !beside; ++d) beside = all_beyond(d, along(box.least, d), -1) || all_beyond(d, along(box.most, d), 1);
-    if (!beside) add_triangle(triangle, box, sum);
+    bool outside = all_beyond(2, box.least.z, -1);
+    for (int d = 0; d < 2 && !outside; ++d) outside = all_beyond(d, along(box.least, d), -1) || all_beyond(d, along(box.most, d), 1);
+    if (!outside) add_triangle(triangle, box, sum);
   }
   return sum;
 }

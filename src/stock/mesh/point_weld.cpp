@@ -94,8 +94,9 @@ std::size_t weld_near(Mesh& mesh, const std::vector<bool>& marked, double tolera
     if (!marked[i]) continue;
     std::uint32_t best = nothing;
     for (int q = 0; q < 27; ++q) {
-      const Key beside = key_of(i, {q % 3 - 1, q / 3 % 3 - 1, q / 9 - 1});
-      best = std::min(best, buckets.lowest(beside, [&](std::uint32_t k) { return squared_distance(mesh, i, k) <= tolerance * tolerance; }));
+      const Key neighbour = key_of(i, {q % 3 - 1, q / 3 % 3 - 1, q / 9 - 1});
+      best =
+          std::min(best, buckets.lowest(neighbour, [&](std::uint32_t k) { return squared_distance(mesh, i, k) <= tolerance * tolerance; }));
     }
     if (best != nothing) number[i] = best, ++joined;
     else buckets.add(key_of(i, {}), std::uint32_t(i));

@@ -29,10 +29,10 @@ void add_triangle(Mesh& mesh) {
 }
 
 ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector<std::string>& notes) {
-  const std::size_t body = bytes.size() - header_bytes, count = body / record_bytes, said = number_at(bytes, header_bytes - 4);
-  if (body % record_bytes != 0) return Failed(translated(texts::mesh_file::ends_within_triangle, count + 1, bytes.size(), said));
+  const std::size_t body = bytes.size() - header_bytes, count = body / record_bytes, stated = number_at(bytes, header_bytes - 4);
+  if (body % record_bytes != 0) return Failed(translated(texts::mesh_file::ends_within_triangle, count + 1, bytes.size(), stated));
   if (std::string wrong = too_many_message(count, rules); !wrong.empty()) return Failed(std::move(wrong));
-  if (said != count) notes.push_back(translated(texts::mesh_file::other_count_in_header, said, count));
+  if (stated != count) notes.push_back(translated(texts::mesh_file::other_count_in_header, stated, count));
   Mesh mesh;
   mesh.points.reserve(9 * count), mesh.triangles.reserve(3 * count);
   for (std::size_t t = 0; t < count; ++t) {

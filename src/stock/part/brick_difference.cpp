@@ -8,29 +8,29 @@ namespace kadr {
 namespace {
 
 // Least length in mm of a segment; shorter segments are ignored, because both ends are accurate only to a micrometre.
-constexpr double least_stretch = 1e-3;
+constexpr double least_length = 1e-3;
 
 /// Collects the intervals of material on a lattice line, in ascending order.
-void take_material(const BrickLines& lines, std::int32_t line, std::vector<Stretch>& material) {
+void take_material(const BrickLines& lines, std::int32_t line, std::vector<LineSegment>& material) {
   material.clear();
   if (lines.from[line] < lines.to[line])
     material.push_back({line, double(lines.from[line]), double(lines.to[line]), lines.from_by[line], lines.to_by[line]});
   for (const FurtherInterval& f : lines.further)
     if (f.line == line && f.from < f.to) material.push_back({line, double(f.from), double(f.to), f.from_by, f.to_by});
-  std::sort(material.begin(), material.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+  std::sort(material.begin(), material.end(), [](const LineSegment& a, const LineSegment& b) { return a.from < b.from; });
 }
 
-void put(std::vector<Stretch>& to, const Stretch& stretch) {
-  if (stretch.to - stretch.from > least_stretch) to.push_back(stretch);
+void put(std::vector<LineSegment>& to, const LineSegment& segment) {
+  if (segment.to - segment.from > least_length) to.push_back(segment);
 }
 
 /// Collects the segments of a lattice line with material outside the wanted part.
-void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::vector<Stretch>& left_on) {
-  for (const Stretch& m : material) {
-    Stretch rest = m;
+void take_left_on(const std::vector<LineSegment>& material, const std::vector<LineRange>& part, std::vector<LineSegment>& left_on) {
+  for (const LineSegment& m : material) {
+    LineSegment rest = m;
     for (const LineRange& p : part) {
       if (p.to <= rest.from || p.from >= rest.to) continue;
-      Stretch before = rest;
+      LineSegment before = rest;
       before.to = p.from, before.to_by = before.from_by;
       put(left_on, before);
       rest.from = p.to, rest.from_by = rest.to_by;
@@ -41,11 +41,11 @@ void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRa
 
 /// Collects the segments of a lattice line that are inside the wanted part but contain no material. Each end of such a segment gets the
 /// number of the sweep that cut the material next to this end.
-void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::int32_t line,
-                 std::vector<Stretch>& gouged) {
+void take_gouged(const std::vector<LineSegment>& material, const std::vector<LineRange>& part, std::int32_t line,
+                 std::vector<LineSegment>& gouged) {
   for (const LineRange& p : part) {
-    Stretch rest{line, p.from, p.to, of_blank, of_blank};
-    for (const Stretch& m : material) {
+    LineSegment rest{line, p.from, p.to, of_blank, of_blank};
+    for (const LineSegment& m : material) {
       if (m.to <= rest.from) {
         rest.from_by = m.to_by;
         continue;
@@ -54,7 +54,7 @@ void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRan
         rest.to_by = m.from_by;
         break;
       }
-      Stretch before = rest;
+      LineSegment before = rest;
       before.to = m.from, before.to_by = m.from_by;
       put(gouged, before);
       rest.from = m.to, rest.from_by = m.to_by;

@@ -12,21 +12,21 @@
 namespace kadr {
 
 /// A segment of a lattice line, in mm from the brick's corner.
-struct Stretch {
+struct LineSegment {
   std::int32_t line;
   double from, to;
   std::int32_t from_by, to_by;  // the sweeps that cut the material at the two ends of the segment; of_blank where no sweep cut
 };
 
 struct LineDifference {
-  std::vector<Stretch> left_on, gouged;
+  std::vector<LineSegment> left_on, gouged;
 };
 
 /// Buffers of one thread, which are reused for each brick.
 struct BrickDifference {
   std::array<LineDifference, 3> family;
   std::vector<LineRange> part;
-  std::vector<Stretch> material;
+  std::vector<LineSegment> material;
 };
 
 /// A brick of the lattice on whose lines the wanted part was computed.

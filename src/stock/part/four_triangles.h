@@ -35,13 +35,13 @@ inline TwoPlaces cross(const TwoPlaces& a, const TwoPlaces& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-inline Two square_to_segment(const TwoPlaces& from, const TwoPlaces& way) {
-  const Two none{}, one = none + 1.0, length_squared = dot(way, way);
-  Two share = -dot(from, way) / length_squared;
+inline Two square_to_segment(const TwoPlaces& from, const TwoPlaces& delta) {
+  const Two none{}, one = none + 1.0, length_squared = dot(delta, delta);
+  Two share = -dot(from, delta) / length_squared;
   share = share < none ? none : share;
   share = one < share ? one : share;
   share = length_squared > none ? share : none;
-  const TwoPlaces nearest{from.x + share * way.x, from.y + share * way.y, from.z + share * way.z};
+  const TwoPlaces nearest{from.x + share * delta.x, from.y + share * delta.y, from.z + share * delta.z};
   return dot(nearest, nearest);
 }
 

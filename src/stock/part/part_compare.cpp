@@ -99,8 +99,8 @@ class PartInComparison {
   void hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const;
   void hold_brick(std::size_t brick, Work& work);
   void hold_evenly(std::size_t brick, bool material, Work& work);
-  float hold_stretches(std::size_t brick, bool gouged, Deepest& deepest, Work& work);
-  bool walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const;
+  float compare_segments(std::size_t brick, bool gouged, Deepest& deepest, Work& work);
+  bool walk(const LineSegment& segment, int family, std::size_t brick, Deepest& deepest, Work& work) const;
   std::optional<std::size_t> of_stock(std::size_t brick) const;
 
   const Stock& stock_;
@@ -174,7 +174,7 @@ void PartInComparison::hold_brick(std::size_t brick, Work& work) {
                   {wider_.lattice.place(brick), wider_.lattice.corner(brick), wider_.lattice.cell()}, work.difference);
   Offences here;
   BrickFound& found = found_[brick];
-  found.left_on = hold_stretches(brick, false, here.left_on, work), found.gouged = hold_stretches(brick, true, here.gouged, work);
+  found.left_on = compare_segments(brick, false, here.left_on, work), found.gouged = compare_segments(brick, true, here.gouged, work);
   found.left_depth = float(here.left_on.depth), found.gouge_depth = float(here.gouged.depth);
   work.found.take(here);
 }
@@ -183,8 +183,8 @@ void PartInComparison::hold_brick(std::size_t brick, Work& work) {
 /// brick shows whether the brick is inside the part.
 void PartInComparison::hold_evenly(std::size_t brick, bool material, Work& work) {
   const double edge = wider_.lattice.edge(), middle = wider_.lattice.corner(brick).z + 0.5 * edge;
-  const auto stretches = lines_.of(wider_.lattice.place(brick), 2, brick_lines / 2 + brick_edge / 2);
-  const bool part = std::any_of(stretches.begin(), stretches.end(), [&](const LineRange& r) { return r.from < middle && middle < r.to; });
+  const auto ranges = lines_.of(wider_.lattice.place(brick), 2, brick_lines / 2 + brick_edge / 2);
+  const bool part = std::any_of(ranges.begin(), ranges.end(), [&](const LineRange& r) { return r.from < middle && middle < r.to; });
   if (part == material) return;
   BrickFound& found = found_[brick];
   (part ? found.gouged : found.left_on) = float(edge * edge * edge);
@@ -198,8 +198,8 @@ void PartInComparison::hold_evenly(std::size_t brick, bool material, Work& work)
 /// layer measure the layer well, lines along the layer hardly meet it. Finds the greatest depth along all three directions, but ignores
 /// segments that are numerical errors on lines along a wall.
 ///   returns  the volume, mm³
-float PartInComparison::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest, Work& work) {
-  const auto of = [&](int family) -> const std::vector<Stretch>& {
+float PartInComparison::compare_segments(std::size_t brick, bool gouged, Deepest& deepest, Work& work) {
+  const auto of = [&](int family) -> const std::vector<LineSegment>& {
     const LineDifference& d = work.difference.family[std::size_t(family)];
     return gouged ? d.gouged : d.left_on;
   };
@@ -207,33 +207,33 @@ float PartInComparison::hold_stretches(std::size_t brick, bool gouged, Deepest& 
   for (const int family : {0, 1})
     if (of(family).size() > of(best).size()) best = family;
   double length = 0;
-  for (const Stretch& stretch : of(best))
-    if (walk(stretch, best, brick, deepest, work)) length += stretch.to - stretch.from;
+  for (const LineSegment& segment : of(best))
+    if (walk(segment, best, brick, deepest, work)) length += segment.to - segment.from;
   for (const int family : {(best + 1) % 3, (best + 2) % 3})
-    for (const Stretch& stretch : of(family))
-      if (stretch.to - stretch.from > same_surface) (void)walk(stretch, family, brick, deepest, work);
+    for (const LineSegment& segment : of(family))
+      if (segment.to - segment.from > same_surface) (void)walk(segment, family, brick, deepest, work);
   return float(length * wider_.lattice.cell() * wider_.lattice.cell());
 }
 
 /// Measures the depth at the middle of a segment, and in steps along the segment if the depth can exceed the greatest depth found so far.
 ///   returns  false if the segment is a numerical error on a line along a wall
-bool PartInComparison::walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const {
-  const double cell = wider_.lattice.cell(), half = (stretch.to - stretch.from) / 2;
+bool PartInComparison::walk(const LineSegment& segment, int family, std::size_t brick, Deepest& deepest, Work& work) const {
+  const double cell = wider_.lattice.cell(), half = (segment.to - segment.from) / 2;
   Vec3 at = wider_.lattice.corner(brick);
-  along(at, (family + 1) % 3) += (stretch.line % brick_edge + 0.5) * cell;
-  along(at, (family + 2) % 3) += (stretch.line / brick_edge + 0.5) * cell;
+  along(at, (family + 1) % 3) += (segment.line % brick_edge + 0.5) * cell;
+  along(at, (family + 2) % 3) += (segment.line / brick_edge + 0.5) * cell;
   const double corner = along(at, family);
   const auto depth_at = [&](double place) {
     along(at, family) = corner + place;
     const double depth = nearest_.distance(at, work.hint);
-    const std::int32_t by = place - stretch.from < stretch.to - place ? stretch.from_by : stretch.to_by;
-    deepest.take({depth, at, by, (std::uint64_t{1} << 63) + brick * brick_lines + std::uint64_t(stretch.line)});
+    const std::int32_t by = place - segment.from < segment.to - place ? segment.from_by : segment.to_by;
+    deepest.take({depth, at, by, (std::uint64_t{1} << 63) + brick * brick_lines + std::uint64_t(segment.line)});
     return depth;
   };
-  double most = depth_at(stretch.from + half);
+  double most = depth_at(segment.from + half);
   if (most > same_surface && most + half < deepest.depth) return true;
   const int steps = int(std::ceil(2 * half / (step_of_cell * cell)));
-  for (int i = 0; i <= steps; ++i) most = std::max(most, depth_at(stretch.from + 2 * half * i / steps));
+  for (int i = 0; i <= steps; ++i) most = std::max(most, depth_at(segment.from + 2 * half * i / steps));
   return most > same_surface;
 }
 

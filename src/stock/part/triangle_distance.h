@@ -9,11 +9,11 @@ namespace kadr {
 
 inline double square_of(const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
-/// Returns the squared distance in mm² of the origin from the segment between `from` and `from + way`.
-inline double square_to_segment(const Vec3& from, const Vec3& way) {
-  const double length_squared = square_of(way);
-  const double share = length_squared > 0 ? std::clamp(-dot(from, way) / length_squared, 0.0, 1.0) : 0;
-  return square_of(from + share * way);
+/// Returns the squared distance in mm² of the origin from the segment between `from` and `from + delta`.
+inline double square_to_segment(const Vec3& from, const Vec3& delta) {
+  const double length_squared = square_of(delta);
+  const double share = length_squared > 0 ? std::clamp(-dot(from, delta) / length_squared, 0.0, 1.0) : 0;
+  return square_of(from + share * delta);
 }
 
 /// Returns the squared distance in mm² of the origin from a triangle: the distance from the triangle's plane if the origin projects into

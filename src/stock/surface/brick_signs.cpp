@@ -51,10 +51,10 @@ void BrickSigns::take(const BricksAround& around, float cell) {
   for (int q = 0; q < 8; ++q) {
     const Stock::State state = around.state[std::size_t(q)];
     if (state == Stock::State::empty) continue;
-    const int beside_x = q & 1, beside_y = q >> 1 & 1;
-    const int wide = beside_x ? 1 : brick_edge, deep = beside_y ? 1 : brick_edge;
+    const int next_in_x = q & 1, next_in_y = q >> 1 & 1;
+    const int wide = next_in_x ? 1 : brick_edge, deep = next_in_y ? 1 : brick_edge;
     const auto add = [&](int x, int y, std::uint32_t column) {
-      std::uint32_t& all = columns_[std::size_t((y + beside_y * brick_edge) * signs_edge + x + beside_x * brick_edge)];
+      std::uint32_t& all = columns_[std::size_t((y + next_in_y * brick_edge) * signs_edge + x + next_in_x * brick_edge)];
       all |= q >> 2 ? (column & 1) << brick_edge : column;
     };
     const BrickLines* const lines = state == Stock::State::mixed ? &around.brick[std::size_t(q)]->family[2] : nullptr;

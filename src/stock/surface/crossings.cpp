@@ -88,11 +88,11 @@ LineEnd Crossings::Finder::end_on(const LatticeEdge& e, bool leaves) {
   const auto p = [&](int axis) { return e.point[std::size_t(axis)]; };
   const float first = (float(p(f)) + 0.5f) * cell, last = first + cell;
   const int line = p(v) % brick_edge * brick_edge + p(u) % brick_edge;
-  const int beside = (p(u) == brick_edge) << u | (p(v) == brick_edge) << v;
+  const int next_bricks = (p(u) == brick_edge) << u | (p(v) == brick_edge) << v;
   LineEnd best{}, seam{};
   float nearest = 1e30f;
   for (int half = 0; half <= int(p(f) == brick_edge - 1); ++half) {
-    const std::size_t q = std::size_t(beside | half << f);
+    const std::size_t q = std::size_t(next_bricks | half << f);
     if (around.state[q] == Stock::State::empty) continue;
     const float offset = half ? edge : 0.f;
     const auto see = [&](float from, float to, std::int32_t from_by, std::int32_t to_by) {
@@ -211,17 +211,17 @@ void Crossings::mend(const LatticeEdge& e, const BrickSigns& signs) {
   const auto sign = [&](const std::array<int, 3>& p) { return signs.at(p[0], p[1], p[2]); };
   for (std::size_t turn = 1; turn < 3; ++turn)
     for (const int step : {-1, 1}) {
-      LatticeEdge beside = e;
-      int& place = beside.point[(f + turn) % 3];
+      LatticeEdge neighbour = e;
+      int& place = neighbour.point[(f + turn) % 3];
       place += step;
       if (place < 0 || place > brick_edge) continue;
-      std::array<int, 3> end = beside.point, own_end = e.point;
+      std::array<int, 3> end = neighbour.point, own_end = e.point;
       ++end[f], ++own_end[f];
-      if (sign(beside.point) == sign(end) || sign(beside.point) != sign(e.point)) continue;
+      if (sign(neighbour.point) == sign(end) || sign(neighbour.point) != sign(e.point)) continue;
       const bool lost =
-          std::any_of(lost_.begin(), lost_.end(), [&](const LatticeEdge& l) { return l.family == e.family && l.point == beside.point; });
+          std::any_of(lost_.begin(), lost_.end(), [&](const LatticeEdge& l) { return l.family == e.family && l.point == neighbour.point; });
       if (lost) continue;
-      const Crossing& like = of(beside);
+      const Crossing& like = of(neighbour);
       Crossing& own = all_[slots_[slot_of(e)]];
       own.at[f] = like.at[f], own.normal = like.normal, own.by = like.by;
       return;

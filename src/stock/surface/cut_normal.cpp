@@ -34,7 +34,7 @@ struct Seen {
   double x, y, radius, height;  // position relative to the tip, mm
 };
 
-struct Way {
+struct SweepPath {
   Vec3 start, along;
 
   Seen seen(const Vec3& at, double part) const {
@@ -43,7 +43,7 @@ struct Way {
   }
 };
 
-Way way_of(const KeptSweep& sweep) {
+SweepPath path_of(const KeptSweep& sweep) {
   const Vec3 from{double(sweep.from[0]), double(sweep.from[1]), double(sweep.from[2])};
   const Vec3 to{double(sweep.to[0]), double(sweep.to[1]), double(sweep.to[2])};
   return {from, to - from};
@@ -90,8 +90,8 @@ struct Touching {
 /// Returns the distance of the point from the body, with the tool at the fraction `part` of the path, and the normal of the nearest face. A
 /// line does not cross a plane in which the line lies. So if several faces of the tool are at about the same distance, the result is the
 /// face that the line crosses most nearly at a right angle.
-Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, double part) {
-  const Seen seen = way.seen(place.at, part);
+Touching at_part(const BodyFaces& body, const SweepPath& path, const PlaceSeen& place, double part) {
+  const Seen seen = path.seen(place.at, part);
   const auto square_to = [&](const Vec3& normal) { return -dot(normal, place.outward); };
   const Near face = farthest(body, seen);
   Touching best{face.distance, in_space(face, seen)};
@@ -110,8 +110,8 @@ double nearest_part(double over, double length_squared) { return length_squared 
 /// Returns the fraction of the path at which the tool touched the point, if an exact formula exists. On a level path heights are constant,
 /// so the result is the fraction at which the tool is nearest in the XY plane; for a ball, the fraction at which the centre is nearest.
 /// Returns nullopt in other cases.
-std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const Vec3& at) {
-  const Vec3 d = way.along, q = at - way.start;
+std::optional<double> part_at_once(const BodyFaces& body, const SweepPath& path, const Vec3& at) {
+  const Vec3 d = path.along, q = at - path.start;
   const double flat = d.x * d.x + d.y * d.y, over = q.x * d.x + q.y * d.y;
   if (d.z == 0) return nearest_part(over, flat);
   if (!body.ball) return std::nullopt;
@@ -119,13 +119,13 @@ std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const 
   const double part = nearest_part(over + (q.z - middle) * d.z, flat + d.z * d.z);
   const double height = q.z - part * d.z;
   if (height <= middle) return part;
-  const double beside = nearest_part(over, flat), beside_height = q.z - beside * d.z;
-  if (flat > 0 && beside_height >= middle && beside_height <= body.top) return beside;
+  const double nearest = nearest_part(over, flat), nearest_height = q.z - nearest * d.z;
+  if (flat > 0 && nearest_height >= middle && nearest_height <= body.top) return nearest;
   return std::nullopt;
 }
 
 /// Returns the slope, along the path, of the distance between the point and the tool.
-double growth(const Vec3& normal, const Vec3& way) { return -(normal.x * way.x + normal.y * way.y + normal.z * way.z); }
+double growth(const Vec3& normal, const Vec3& travel) { return -(normal.x * travel.x + normal.y * travel.y + normal.z * travel.z); }
 
 /// The distance of the tool from the point, with the tool at the fraction `part` of the path, and the slope of this distance.
 struct Probe {
@@ -145,21 +145,21 @@ double part_between(const Probe& before, const Probe& after, int step, double ap
   return std::clamp(part, before.part + apart, after.part - apart);
 }
 
-Touching touching(const BodyFaces& body, const Way& way, const PlaceSeen& place) {
-  if (const auto part = part_at_once(body, way, place.at)) return at_part(body, way, place, *part);
+Touching touching(const BodyFaces& body, const SweepPath& path, const PlaceSeen& place) {
+  if (const auto part = part_at_once(body, path, place.at)) return at_part(body, path, place, *part);
   const auto probe = [&](double part) -> Probe {
-    const Seen seen = way.seen(place.at, part);
+    const Seen seen = path.seen(place.at, part);
     const Near face = farthest(body, seen);
     const Vec3 normal = in_space(face, seen);
-    return {part, {face.distance, normal}, growth(normal, way.along)};
+    return {part, {face.distance, normal}, growth(normal, path.along)};
   };
   Probe before = probe(0), after = probe(1);
-  if (before.grows >= 0) return at_part(body, way, place, 0);
-  if (after.grows <= 0) return at_part(body, way, place, 1);
-  const double size = std::sqrt(dot(way.along, way.along));
+  if (before.grows >= 0) return at_part(body, path, place, 0);
+  if (after.grows <= 0) return at_part(body, path, place, 1);
+  const double size = std::sqrt(dot(path.along, path.along));
   for (int i = 0; i < max_steps && (after.part - before.part) * size > same_part; ++i) {
     const Probe here = probe(part_between(before, after, i, 0.4 * same_part / size));
-    if (std::fabs(here.grows) < level * size) return at_part(body, way, place, here.part);
+    if (std::fabs(here.grows) < level * size) return at_part(body, path, place, here.part);
     (here.grows < 0 ? before : after) = here;
   }
   const double bends = after.grows - before.grows;
@@ -173,11 +173,11 @@ Vec3 as_unit(const Vec3& v, const Vec3& otherwise) {
 }
 
 /// Returns the outward normal of the material as a vector in the tool's coordinates.
-Vec3 normal_seen(const Way& way, const ToolFaces& tool, const PlaceSeen& place) {
+Vec3 normal_seen(const SweepPath& path, const ToolFaces& tool, const PlaceSeen& place) {
   double nearest = 1e30;
   Vec3 best = place.outward;
   for (const BodyFaces& body : tool) {
-    const Touching t = touching(body, way, place);
+    const Touching t = touching(body, path, place);
     if (std::fabs(t.distance) >= nearest) continue;
     nearest = std::fabs(t.distance);
     best = as_unit({-t.normal.x, -t.normal.y, -t.normal.z}, place.outward);
@@ -210,7 +210,7 @@ namespace {
 /// The point and its path in the tool's coordinates; for a tilted tool also the axes of the work coordinates, as seen from the tool half
 /// way along the path.
 struct AsSeen {
-  Way way;
+  SweepPath path;
   PlaceSeen place;
   std::optional<ToolAxes> axes;
 };
@@ -218,7 +218,7 @@ struct AsSeen {
 AsSeen as_seen(const KeptSweep& sweep, const CutPlace& place, const TiltedEnds* ends) {
   Vec3 along_line;
   along(along_line, place.family) = place.leaves ? 1 : -1;
-  if (ends == nullptr) return {way_of(sweep), {place.at, along_line}, std::nullopt};
+  if (ends == nullptr) return {path_of(sweep), {place.at, along_line}, std::nullopt};
   const ToolEnds seen(tilted_path_of(sweep, *ends));
   const Vec3 first = seen.first(place.at), last = seen.last(place.at);
   const auto middle = [](Vec3 a, Vec3 b) { return as_unit(a + b, a); };
@@ -232,14 +232,14 @@ AsSeen as_seen(const KeptSweep& sweep, const CutPlace& place, const TiltedEnds* 
 bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends) {
   const AsSeen seen = as_seen(sweep, place, ends);
   return std::any_of(tool.begin(), tool.end(), [&](const BodyFaces& body) {
-    const Touching t = touching(body, seen.way, seen.place);
+    const Touching t = touching(body, seen.path, seen.place);
     return std::fabs(t.distance) < same_spot && -dot(t.normal, seen.place.outward) > along_the_line;
   });
 }
 
 Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends) {
   const AsSeen seen = as_seen(sweep, place, ends);
-  const Vec3 normal = normal_seen(seen.way, tool, seen.place);
+  const Vec3 normal = normal_seen(seen.path, tool, seen.place);
   if (!seen.axes) return normal;
   const ToolAxes& axes = *seen.axes;
   return normal.x * axes[0] + normal.y * axes[1] + normal.z * axes[2];

@@ -163,9 +163,9 @@ bool Decimation::try_point(std::uint32_t u, double most_off) {
   if (!look_around(u)) return false;
   candidates_.clear();
   for (const std::uint32_t v : ring_) {
-    const Vec3 way = point(v) - point(u);
+    const Vec3 delta = point(v) - point(u);
     double off = 0;
-    for (const Around& a : star_) off = std::max(off, std::fabs(dot(a.normal, way)));
+    for (const Around& a : star_) off = std::max(off, std::fabs(dot(a.normal, delta)));
     if (off <= worth_trying * most_off) candidates_.push_back({off, v});
   }
   const std::size_t tried = std::min(candidates_.size(), max_tried);
@@ -184,7 +184,7 @@ bool Decimation::try_point(std::uint32_t u, double most_off) {
 /// evenly and do not form fans.
 void Decimation::go(double most_off, const StopToken& stop) {
   std::fill(waits_.begin(), waits_.end(), std::uint8_t{1});
-  for (int pass = 0, any = 1; pass < max_passes && any != 0 && !stop.asked(); ++pass) {
+  for (int pass = 0, any = 1; pass < max_passes && any != 0 && !stop.requested(); ++pass) {
     any = 0;
     std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
     for (std::uint32_t u = 0; u < count_.size(); ++u) {

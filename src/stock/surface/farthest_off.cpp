@@ -31,9 +31,9 @@ void each_place(const Mesh& mesh, std::size_t triangle, double step, const Visit
   const int rows = std::max(1, int(std::ceil(height / step)));
   for (int i = 0; i <= rows; ++i) {
     const double up = double(i) / rows;
-    const Vec3 from = p[0] + up * (p[2] - p[0]), way = p[1] + up * (p[2] - p[1]) - from;
-    const int columns = std::max(1, int(std::ceil(length(way) / step)));
-    for (int j = 0; j <= columns; ++j) visit(from + double(j) / columns * way);
+    const Vec3 from = p[0] + up * (p[2] - p[0]), delta = p[1] + up * (p[2] - p[1]) - from;
+    const int columns = std::max(1, int(std::ceil(length(delta) / step)));
+    for (int j = 0; j <= columns; ++j) visit(from + double(j) / columns * delta);
   }
 }
 
@@ -46,7 +46,7 @@ double farthest_off(const Mesh& from, const Mesh& to, double step, const Simplif
   run_parallel(rules.threads, [&](int thread) {
     std::uint32_t hint = 0;
     double& own = most[std::size_t(thread)];
-    for (std::size_t chunk; !rules.stop.asked() && (chunk = next++) * triangles_a_share < from.triangle_count();) {
+    for (std::size_t chunk; !rules.stop.requested() && (chunk = next++) * triangles_a_share < from.triangle_count();) {
       const std::size_t last = std::min((chunk + 1) * triangles_a_share, from.triangle_count());
       for (std::size_t t = chunk * triangles_a_share; t < last; ++t)
         each_place(from, t, step, [&](const Vec3& at) { own = std::max(own, nearest.distance(at, hint)); });

@@ -32,7 +32,7 @@ Mesh decimated(const Mesh& exact, double most_off, const StopToken& stop) {
 SimplifiedSurface simplified_surface(const Mesh& exact, const SimplifyRules& rules) {
   const double half_a_cell = std::sqrt(area_of(exact) / double(std::max<std::size_t>(exact.triangle_count(), 1)) / 2);
   double allowed = rules.most_off;
-  for (int round = 0; round < max_rounds && !exact.triangles.empty() && !rules.stop.asked(); ++round) {
+  for (int round = 0; round < max_rounds && !exact.triangles.empty() && !rules.stop.requested(); ++round) {
     SimplifiedSurface simple{decimated(exact, allowed, rules.stop), 0};
     simple.off = std::max(farthest_off(exact, simple.mesh, at_points, rules), farthest_off(simple.mesh, exact, half_a_cell, rules));
     if (simple.off <= rules.most_off) return simple;

@@ -53,9 +53,9 @@ unsigned PartMaker::corners_in_other_bricks(const std::array<int, 3>& at) const 
 /// beyond the face, both pairs belong to one sheet too. In each configuration of corners, at most one face has both pairs in one sheet.
 Sheets PartMaker::parted(const std::array<int, 3>& at, unsigned corners, unsigned doubled) const {
   const int face = std::countr_zero(doubled);
-  std::array<int, 3> beside = at;
-  beside[std::size_t(face / 2)] += face % 2 ? 1 : -1;
-  const bool by_both = (plain_sheets(corners_in_other_bricks(beside)).doubled >> (face ^ 1) & 1) != 0;
+  std::array<int, 3> neighbour = at;
+  neighbour[std::size_t(face / 2)] += face % 2 ? 1 : -1;
+  const bool by_both = (plain_sheets(corners_in_other_bricks(neighbour)).doubled >> (face ^ 1) & 1) != 0;
   return by_both ? sheets_of(corners, doubled) : plain_sheets(corners);
 }
 

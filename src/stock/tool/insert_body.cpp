@@ -27,9 +27,9 @@ InsertBody body_of(ToolPart part, std::vector<InsertCorner> corners, const std::
 InsertBody polygon(ToolPart part, const InsertOutline& outline) {
   InsertBody body{part, {}, {}};
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const InsertPoint way = outline[(i + 1) % outline.size()] + -1.0 * outline[i];
+    const InsertPoint delta = outline[(i + 1) % outline.size()] + -1.0 * outline[i];
     body.corners.push_back({outline[i], 0});
-    body.outward.push_back((1 / std::sqrt(way.x * way.x + way.z * way.z)) * right_of(way));
+    body.outward.push_back((1 / std::sqrt(delta.x * delta.x + delta.z * delta.z)) * right_of(delta));
   }
   return body;
 }
@@ -64,12 +64,12 @@ InsertBody angular_insert(const ToolGeometry& g, ToolPart part, double edge) {
 InsertBody grooving_insert(const ToolGeometry& g, ToolPart part, double deep) {
   const InsertGeometry& i = g.insert;
   const bool radial = i.lead != 0;
-  const int towards = radial ? i.tip_x : i.tip_z, beside = radial ? i.tip_z : i.tip_x;
+  const int towards = radial ? i.tip_x : i.tip_z, sideways = radial ? i.tip_z : i.tip_x;
   const double back = towards > 0 ? -1 : 1;  // direction from the cutting edge into the blade
   const InsertPoint up = radial ? InsertPoint{back, 0} : InsertPoint{0, back};
   InsertPoint across = radial ? InsertPoint{0, 1} : InsertPoint{1, 0};
   // Middle of the cutting edge, relative to the programmed point.
-  const InsertPoint edge = (-beside * i.width / 2) * across + (towards == 0 ? -g.corner : 0) * up;
+  const InsertPoint edge = (-sideways * i.width / 2) * across + (towards == 0 ? -g.corner : 0) * up;
   if (across.x * up.z - across.z * up.x < 0) across = -1.0 * across;
   const double half = i.width / 2, inner = half - g.corner;
   return body_of(part,

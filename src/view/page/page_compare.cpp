@@ -87,7 +87,7 @@ PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& questio
   afterwards = [this, its = std::shared_ptr<ProgramRun>(std::move(*other_run))] {
     its->on_piece = [this](const ViewPiece& piece, std::uint32_t channel) { send(piece, 1, channel); };
     its->execute();
-    say({{"event", "compared"}, {"seconds", its->seconds()}, {"blocks", its->blocks()}});
+    send({{"event", "compared"}, {"seconds", its->seconds()}, {"blocks", its->blocks()}});
   };
   return comparison_json(made, rules.tolerance, lang);
 }

@@ -112,7 +112,7 @@ struct PageSession::Inside {
   // ---- requests that are answered in page_restart.cpp
   Answer restart(const PageJson& question);
   Answer go_there(const PageJson& question);
-  Answer lead(const PageJson& question);
+  Answer move_along_path(const PageJson& question);
   tl::expected<PanelSearch::Answer, Refusal> find_place(PanelMachine& machine, const PageJson& question) const;
   void leave_machine();
   void stop_machine();
@@ -128,7 +128,7 @@ struct PageSession::Inside {
   void execute();
   /// Sends a segment of the path as frames; `which` is the path's number in the protocol. If the page is closed, the current work ends.
   void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
-  void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
+  void send(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
   PageJson problem(const AlarmReport& report) const {
     PageJson json = problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file, quick_fix(report, lang));
     if (report.origin.file != 0) json["file_name"] = server.folder.shown(report.file);

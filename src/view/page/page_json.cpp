@@ -138,8 +138,8 @@ PageJson cut_finding_json(PageJson problem, const CutFinding& f) {
   return problem;
 }
 
-PageJson cut_mark_json(const PageJson& told, const CutFinding& f) {
-  return {{"at", f.at_time}, {"kind", told["severity"]}, {"line", f.origin.line}, {"text", told["text"]}};
+PageJson cut_mark_json(const PageJson& reported, const CutFinding& f) {
+  return {{"at", f.at_time}, {"kind", reported["severity"]}, {"line", f.origin.line}, {"text", reported["text"]}};
 }
 
 PageJson state_json(const InstantState& s, const ProgramRun& run) {

@@ -21,8 +21,8 @@ PageJson files_json(const FolderList& list);
 PageJson problem_json(const Finding& finding, std::uint16_t file, const std::optional<QuickFix>& fix);
 /// Converts a finding of a cut to JSON: adds the time and the position of the collision to `problem`.
 PageJson cut_finding_json(PageJson problem, const CutFinding& finding);
-/// Converts a finding of a cut to a mark on the time line, as JSON. `told` is the same finding as JSON from problem_json().
-PageJson cut_mark_json(const PageJson& told, const CutFinding& finding);
+/// Converts a finding of a cut to a mark on the time line, as JSON. `reported` is the same finding as JSON from problem_json().
+PageJson cut_mark_json(const PageJson& reported, const CutFinding& finding);
 PageJson call_list_json(const std::vector<AlarmReport::Call>& calls);
 PageJson state_json(const InstantState& state, const ProgramRun& run);
 /// Converts the extents of a program: a box around the cutting motions, and a box around the whole path.

@@ -29,8 +29,8 @@ PanelRecorder keeper_of(PanelJournal& journal, const std::string& name, PanelPro
   PanelRecorder keeper;
   const std::shared_ptr<const AlarmTexts> texts = program.opened().texts;
   keeper.spot = [&journal, name](const PanelLocation& spot) {
-    const auto kept = journal.keep("spot", name, spot_text(spot));
-    return kept ? std::string() : kept.error();
+    const auto saved = journal.keep("spot", name, spot_text(spot));
+    return saved ? std::string() : saved.error();
   };
   keeper.event = [&journal, name](const char* kind, const std::string& text, std::uint32_t line) {
     // The result is ignored, because a failure to save is reported when the location is saved.
@@ -39,9 +39,9 @@ PanelRecorder keeper_of(PanelJournal& journal, const std::string& name, PanelPro
   keeper.tables = [&journal, &program, name](const Setup& before, const Setup& after) {
     const auto patch = program.take_by_hand(before, after);
     if (!patch) return patch.error();
-    const auto kept = journal.keep("tables", name, dumped(program.edited()));
+    const auto saved = journal.keep("tables", name, dumped(program.edited()));
     (void)journal.log(name, log_entry("edit", dumped(*patch), 0));
-    return kept ? std::string() : kept.error();
+    return saved ? std::string() : saved.error();
   };
   keeper.alarm = [&journal, name, texts, lang](const AlarmReport& report) {
     const Finding finding = finding_of(report, *texts, lang);
@@ -59,10 +59,10 @@ void hold_text(const ServedFolder& folder, const std::string& file, PanelProgram
 
 /// Returns, as text for the journal, the part of the request that describes how the machine is switched on.
 std::string machine_text(const PageJson& question) {
-  PageJson kept = PageJson::object();
+  PageJson saved = PageJson::object();
   for (const char* const key : {"file", "control", "machine", "setup", "encoding"})
-    if (question.contains(key)) kept[key] = question[key];
-  return dumped(kept);
+    if (question.contains(key)) saved[key] = question[key];
+  return dumped(saved);
 }
 
 /// Returns the saved location of a machine as JSON, without the axis positions in "stands".
@@ -92,9 +92,9 @@ tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside
                                                                                             const PageJson& question) {
   if (!may_change) return refused(translated(texts::panel_page::may_only_look));
   PanelJournal& journal = *server.journal;
-  PageJson as_kept = PageJson::parse(journal.value("machine", file).value_or("{}"), nullptr, false);
-  if (as_kept.is_object()) as_kept.update(question);
-  auto request = opening_request_in(as_kept.is_object() ? as_kept : question);
+  PageJson saved_machine = PageJson::parse(journal.value("machine", file).value_or("{}"), nullptr, false);
+  if (saved_machine.is_object()) saved_machine.update(question);
+  auto request = opening_request_in(saved_machine.is_object() ? saved_machine : question);
   if (!request) return tl::unexpected(request.error());
   request->text.reset();  // the machine runs the file on disk, not the text in the editor
   request->tables = journal.value("tables", file).value_or("");
@@ -111,7 +111,7 @@ tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside
   auto made = PanelMachine::make(opens, std::move(keeper), spot ? std::optional(spot->machine) : std::nullopt,
                                  spot ? spot->stands : std::vector<Axes>());
   if (!made) return refused(made.error());
-  if (const auto kept = journal.keep("machine", file, machine_text(as_kept)); !kept) return refused(kept.error());
+  if (const auto saved = journal.keep("machine", file, machine_text(saved_machine)); !saved) return refused(saved.error());
   auto place = std::make_shared<PanelHub::HubMachine>();
   place->name = file, place->content = content, place->machine = std::move(*made);
   place->stood = spot && spot->number > 1 ? stood : std::string();
@@ -155,8 +155,8 @@ void PageSession::Inside::note(const char* kind, const std::string& text, std::u
 
 /// Saves a value of the machine. Returns an error sentence if the value could not be saved, else an empty text.
 std::string PageSession::Inside::keep(const char* what, const std::string& text) const {
-  const auto kept = server.journal->keep(what, hub_machine->name, text);
-  return kept ? std::string() : kept.error();
+  const auto saved = server.journal->keep(what, hub_machine->name, text);
+  return saved ? std::string() : saved.error();
 }
 
 /// Gives up the control of the machine, so that another page can take control.

@@ -86,13 +86,13 @@ std::string missing_tools_message(const ProgramRun& run, const ToolLibrary& tool
 /// Returns the names of the tools files in the folder of the program, relative to the served folder.
 std::vector<std::string> tools_files(const ServedFolder& folder, const std::string& program) {
   const std::size_t slash = program.rfind('/');
-  const std::string beside = slash == std::string::npos ? "" : program.substr(0, slash);
+  const std::string folder_path = slash == std::string::npos ? "" : program.substr(0, slash);
   std::vector<std::string> names;
-  const auto list = folder.list(beside);
+  const auto list = folder.list(folder_path);
   if (!list) return names;
   for (const FolderEntry& entry : list->entries)
     if (entry.kind == FolderEntry::Kind::tools && entry.size <= max_tools_bytes && names.size() < max_tools_files)
-      names.push_back(beside.empty() ? entry.name : beside + "/" + entry.name);
+      names.push_back(folder_path.empty() ? entry.name : folder_path + "/" + entry.name);
   return names;
 }
 
@@ -130,16 +130,16 @@ PageSession::Inside::Answer PageSession::Inside::cut(const PageJson& question) {
 void PageSession::Inside::cut_part() {
   PageJson marks = PageJson::array();
   part_run->on_progress = [this](double part) {
-    say({{"event", "cutting"}, {"part", part}});
+    send({{"event", "cutting"}, {"part", part}});
     end_if_memory_is_full();
     if (gone) stops = true;
   };
   part_run->on_finding = [&](const CutFinding& f, const AlarmReport& report) {
-    const PageJson told = problem(report);
-    marks.push_back(cut_mark_json(told, f));
+    const PageJson reported = problem(report);
+    marks.push_back(cut_mark_json(reported, f));
     PageJson event = {{"event", "finding"}};
-    event.update(cut_finding_json(told, f));
-    say(event);
+    event.update(cut_finding_json(reported, f));
+    send(event);
     if (gone) stops = true;
   };
   const auto done = part_run->execute();
@@ -152,7 +152,7 @@ void PageSession::Inside::cut_part() {
     event["error"] = {{"text", done.error()}};
     part_run.reset();
   }
-  say(event);
+  send(event);
 }
 
 PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) {
@@ -171,7 +171,7 @@ PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) 
 PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& question) {
   const Vec3 zero = run->path().zero();
   KnownTools named;
-  std::vector<KnownTools> beside;
+  std::vector<KnownTools> known;
   const KnownTools* file = nullptr;
   if (question.contains("tools")) {
     auto tools = tools_in(server.folder, question);
@@ -179,8 +179,8 @@ PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& quest
     named = {value_in<std::string>(question, "tools", ""), std::move(*tools)};
     file = &named;
   } else {
-    beside = known_tools(server.folder, server.folder.shown(run->opened().path));
-    file = tools_file_for(beside, *run);
+    known = known_tools(server.folder, server.folder.shown(run->opened().path));
+    file = tools_file_for(known, *run);
   }
   const std::vector<ProposedTool> proposed = proposed_tools(*run, file);
   PageJson json = {{"stock", guess.text(zero, is_turning(*run) && guess.is_flat(zero), radii_of(proposed))}, {"tools", PageJson::array()}};

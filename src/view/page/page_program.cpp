@@ -110,18 +110,18 @@ void PageSession::Inside::execute() {
   };
   run->on_contour = [this](const ViewPiece& piece) { send(piece, 2, 0); };
   run->on_alarm = [this](const AlarmReport& report, double at, int channel) {
-    PageJson told_problem = channel == 0 ? problem(report) : problem_of_channel(report, channel);
-    say({{"event", "alarm"}, {"at", at}, {"problem", std::move(told_problem)}});
+    PageJson shown_problem = channel == 0 ? problem(report) : problem_of_channel(report, channel);
+    send({{"event", "alarm"}, {"at", at}, {"problem", std::move(shown_problem)}});
   };
   run->on_progress = [this](double part, std::uint64_t blocks, double seconds) {
-    say({{"event", "progress"}, {"part", part}, {"blocks", blocks}, {"seconds", seconds}});
+    send({{"event", "progress"}, {"part", part}, {"blocks", blocks}, {"seconds", seconds}});
     end_if_memory_is_full();
     if (gone) stops = true;
   };
   run->execute();
   PageJson done = {{"event", "done"}};
   done.update(done_json(*run, lang));
-  say(done);
+  send(done);
 }
 
 /// Answers with lines of the program, or of a called file. The first request for a called file finds where the lines of this file begin.

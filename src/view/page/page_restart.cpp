@@ -1,5 +1,5 @@
-// Answers the requests `restart` and `go_there` (to continue in mid-program), and `lead` (to move the axes by hand along a path). Used by
-// view/page/page_session; tested by tests/panel_restart.py.
+// Answers the requests `restart` and `go_there` (to continue in mid-program), and `move_along_path` (to move the axes by hand along a
+// path). Used by view/page/page_session; tested by tests/panel_restart.py.
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_sheet_variables = 1000;  // greatest number of variables on a restart sheet
-constexpr std::size_t max_way = 100;               // greatest number of motions in a path that a request contains
+constexpr std::size_t max_points = 100;            // greatest number of motions in a path that a request contains
 
 PageJson value_json(const std::optional<InForce>& one) {
   if (!one) return PageJson();
@@ -22,7 +22,7 @@ PageJson value_json(const std::optional<InForce>& one) {
 
 const char* name_of(PanelSheet::By by) {
   switch (by) {
-    case PanelSheet::By::way: return "way";
+    case PanelSheet::By::path: return "way";
     case PanelSheet::By::line: return "line";
     case PanelSheet::By::memory: return "memory";
     default: return "";
@@ -34,13 +34,13 @@ PageJson rows_json(const std::vector<PanelSheet::Row>& rows, const std::string& 
   PageJson list = PageJson::array();
   std::size_t variables = 0;
   for (const PanelSheet::Row& row : rows) {
-    const InForce& one = row.wanted ? *row.wanted : *row.now;
+    const InForce& one = row.required ? *row.required : *row.now;
     if (one.kind == InForce::Kind::variable && ++variables > max_sheet_variables) continue;
     const std::string key = key_of(one);
     list.push_back({{"key", before + key},
                     {"kind", key.substr(0, key.find(':'))},
                     {"name", one.name},
-                    {"wanted", value_json(row.wanted)},
+                    {"wanted", value_json(row.required)},
                     {"now", value_json(row.now)},
                     {"by", name_of(row.by)},
                     {"may_be_left", row.may_be_left}});
@@ -61,9 +61,9 @@ PageJson search_json(const std::optional<BlockSearch>& search, Lang lang) {
           {"forgotten", in_force_text(search->forgotten, lang, "")}};
 }
 
-PageJson way_json(const std::vector<WayPoint>& way, const std::vector<std::string>& axes) {
+PageJson path_json(const std::vector<WayPoint>& path, const std::vector<std::string>& axes) {
   PageJson list = PageJson::array();
-  for (const WayPoint& point : way) {
+  for (const WayPoint& point : path) {
     PageJson to = PageJson::object();
     for (std::size_t a = 0; a < axes.size() && a < max_axes; ++a)
       if ((point.named >> a & 1U) != 0) to[axes[a]] = point.machine[a];
@@ -72,51 +72,51 @@ PageJson way_json(const std::vector<WayPoint>& way, const std::vector<std::strin
   return list;
 }
 
-tl::unexpected<std::string> no_way() { return tl::unexpected(translated(texts::panel_page::way_wanted)); }
+tl::unexpected<std::string> no_path() { return tl::unexpected(translated(texts::panel_page::way_wanted)); }
 
 /// Reads the motions of a path from a request. Returns an error sentence if a motion is invalid.
-tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question, const std::vector<std::string>& axes) {
+tl::expected<std::vector<WayPoint>, std::string> path_of(const PageJson& question, const std::vector<std::string>& axes) {
   const auto list = question.find("way");
-  std::vector<WayPoint> way;
-  if (list == question.end() || !list->is_array() || list->size() > max_way) return no_way();
+  std::vector<WayPoint> path;
+  if (list == question.end() || !list->is_array() || list->size() > max_points) return no_path();
   for (const PageJson& entry : *list) {
-    if (!entry.is_object() || !entry.contains("to") || !entry["to"].is_object()) return no_way();
+    if (!entry.is_object() || !entry.contains("to") || !entry["to"].is_object()) return no_path();
     WayPoint point;
     point.rapid = entry.value("rapid", false);
     point.feed = value_in<double>(entry, "feed", 0);
     for (const auto& [axis, value] : entry["to"].items()) {
       const auto found = std::find(axes.begin(), axes.end(), axis);
-      if (found == axes.end() || !value.is_number()) return no_way();
+      if (found == axes.end() || !value.is_number()) return no_path();
       const auto a = std::size_t(found - axes.begin());
       point.named |= AxisMask{1} << a;
       point.machine[a] = value.get<double>();
     }
-    way.push_back(point);
+    path.push_back(point);
   }
-  return way;
+  return path;
 }
 
 /// Reads the paths of a request: the path of the program's own channel, or the paths of several channels in the order in which the axes
 /// must travel them.
-tl::expected<std::vector<PanelPath>, std::string> ways_of(const PageJson& question, const PanelMachine& machine) {
+tl::expected<std::vector<PanelPath>, std::string> paths_of(const PageJson& question, const PanelMachine& machine) {
   const auto list = question.find("ways");
   if (list == question.end()) {
-    auto own = way_of(question, machine.axes());
+    auto own = path_of(question, machine.axes());
     if (!own) return tl::unexpected(own.error());
     return std::vector<PanelPath>{{machine.own(), std::move(*own)}};
   }
-  if (!list->is_array() || list->size() > machine.channel_count()) return no_way();
-  std::vector<PanelPath> ways;
+  if (!list->is_array() || list->size() > machine.channel_count()) return no_path();
+  std::vector<PanelPath> paths;
   for (const PageJson& entry : *list) {
-    if (!entry.is_object()) return no_way();
+    if (!entry.is_object()) return no_path();
     std::size_t channel = 0;
     while (channel < machine.channel_count() && std::uint32_t(machine.number_of(channel)) != count_in(entry, "channel", 0)) ++channel;
-    if (channel == machine.channel_count()) return no_way();
-    auto way = way_of(entry, machine.axes(channel));
-    if (!way) return tl::unexpected(way.error());
-    ways.push_back({channel, std::move(*way)});
+    if (channel == machine.channel_count()) return no_path();
+    auto path = path_of(entry, machine.axes(channel));
+    if (!path) return tl::unexpected(path.error());
+    paths.push_back({channel, std::move(*path)});
   }
-  return ways;
+  return paths;
 }
 
 PanelSearch::SearchRequest search_request_in(const PageJson& question) {
@@ -136,8 +136,8 @@ PageJson zero_json(const ToolPosition& stand, const std::vector<std::string>& ax
 /// Converts the states of the other channels to JSON; an empty list if the machine has only one channel.
 PageJson other_channels_json(const RestartPoint& place, const std::vector<PanelSheet>& sheets, const PanelMachine& machine, Lang lang) {
   PageJson list = PageJson::array();
-  for (std::size_t i = 0; i < place.beside.size(); ++i) {
-    const OtherChannelState& one = place.beside[i];
+  for (std::size_t i = 0; i < place.other_channels.size(); ++i) {
+    const OtherChannelState& one = place.other_channels[i];
     const PanelSheet& sheet = sheets[i + 1];
     const auto& axes = machine.axes(one.channel);
     list.push_back({{"number", one.number},
@@ -148,7 +148,7 @@ PageJson other_channels_json(const RestartPoint& place, const std::vector<PanelS
                                : one.in_block ? "within"
                                               : "before"},
                     {"rows", rows_json(sheet.rows, fmt::format("{}/", one.number))},
-                    {"way", way_json(sheet.way, axes)},
+                    {"way", path_json(sheet.path, axes)},
                     {"zero", zero_json(one.restart.stand, axes)},
                     {"blocks", sheet.blocks.blocks},
                     {"by_hand", in_force_text(sheet.blocks.by_hand, lang, "")}});
@@ -198,7 +198,7 @@ PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& questio
                   {"text", place.line.text},
                   {"calls", std::move(calls)},
                   {"rows", rows_json(sheet->rows)},
-                  {"way", way_json(sheet->way, axes)},
+                  {"way", path_json(sheet->path, axes)},
                   {"normal", place.restart.normal < axes.size() ? axes[place.restart.normal] : std::string()},
                   {"zero", zero_json(place.restart.stand, axes)},
                   {"blocks", sheet->blocks.blocks},
@@ -209,12 +209,12 @@ PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& questio
 }
 
 /// Moves the axes by hand along a path.
-PageSession::Inside::Answer PageSession::Inside::lead(const PageJson& question) {
+PageSession::Inside::Answer PageSession::Inside::move_along_path(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
-  const auto way = way_of(question, (*machine)->axes());
-  if (!way) return refused(way.error());
-  const auto went = (*machine)->lead(*way);
+  const auto path = path_of(question, (*machine)->axes());
+  if (!path) return refused(path.error());
+  const auto went = (*machine)->move_along_path(*path);
   if (!went) return refused(went.error());
   return PageJson::object();
 }
@@ -225,13 +225,13 @@ PageSession::Inside::Answer PageSession::Inside::go_there(const PageJson& questi
   const auto found = find_place(**machine, question);
   if (!found) return tl::unexpected(found.error());
   if (!found->ready) return refused(translated(texts::panel_page::still_searching));
-  auto ways = ways_of(question, **machine);
-  if (!ways) return refused(ways.error());
+  auto paths = paths_of(question, **machine);
+  if (!paths) return refused(paths.error());
   std::set<std::string> left;
   if (const auto list = question.find("leave"); list != question.end() && list->is_array())
     for (const PageJson& key : *list)
       if (key.is_string()) left.insert(key.get<std::string>());
-  const auto went = (*machine)->go_there(found->place, left, std::move(*ways));
+  const auto went = (*machine)->go_there(found->place, left, std::move(*paths));
   if (!went) return refused(went.error());
   return PageJson::object();
 }

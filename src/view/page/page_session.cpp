@@ -39,9 +39,9 @@ bool PageSession::take(std::string_view message) {
   const auto question = PageJson::parse(message, nullptr, false);
   const PageJson id = question.is_object() && question.contains("id") && question["id"].is_number() ? question["id"] : PageJson();
   const auto wrong = [&](const std::string& text) {
-    in.say({{"re", id}, {"error", {{"text", text}}}});
+    in.send({{"re", id}, {"error", {{"text", text}}}});
     if (++in.mistakes < max_mistakes) return true;
-    in.say({{"event", "closed"}, {"text", translated(texts::page::too_many_mistakes)}});
+    in.send({{"event", "closed"}, {"text", translated(texts::page::too_many_mistakes)}});
     return false;
   };
   if (!question.is_object() || id.is_null()) return wrong(translated(texts::page::no_question));
@@ -53,7 +53,7 @@ bool PageSession::take(std::string_view message) {
   if (answer) json.update(*answer);
   else json["error"] = {{"text", answer.error().text}};
   if (!answer && answer.error().changed) json["error"]["changed"] = true;
-  in.say(json);
+  in.send(json);
   if (answer && in.afterwards) std::exchange(in.afterwards, nullptr)();
   return !in.gone;
 }
@@ -95,7 +95,7 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
       {"stops", &Inside::stops_at, false},
       {"restart", &Inside::restart, false},
       {"go_there", &Inside::go_there, false},
-      {"lead", &Inside::lead, false},
+      {"lead", &Inside::move_along_path, false},
       {"tables", &Inside::tables, false},
       {"edit", &Inside::edit, false},
       {"keep_tables", &Inside::keep_tables, false},
@@ -119,7 +119,7 @@ std::string PageSession::Inside::memory_full_message() { return translated(texts
 
 void PageSession::Inside::end_if_memory_is_full() {
   if (gone || !is_memory_full()) return;
-  say({{"event", "closed"}, {"text", memory_full_message()}});
+  send({{"event", "closed"}, {"text", memory_full_message()}});
   gone = stops = true;
 }
 

@@ -29,23 +29,23 @@ std::string not_punched(const std::string& file, const std::string& text, Span a
 }  // namespace
 
 PageSession::Inside::Answer PageSession::Inside::tape(const PageJson& question) {
-  const std::string way = value_in<std::string>(question, "way", ""), said = value_in<std::string>(question, "code", "");
-  const auto code = tape_code_named(said);
+  const std::string task = value_in<std::string>(question, "way", ""), given = value_in<std::string>(question, "code", "");
+  const auto code = tape_code_named(given);
   if (question.contains("code") && !code) return no_tape(translated(texts::page::tape_codes));
-  if (way == "out") return punch(question, code);
-  if (way == "in") return read_punched(value_in<std::string>(question, "file", ""), code);
+  if (task == "out") return punch(question, code);
+  if (task == "in") return read_punched(value_in<std::string>(question, "file", ""), code);
   return no_tape(translated(texts::page::tape_ways));
 }
 
 /// Answers with the rows of a tape, punched with the text of the editor or of the file.
-PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question, std::optional<TapeCode> said) const {
+PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question, std::optional<TapeCode> given) const {
   const std::string file = value_in<std::string>(question, "file", "");
   const auto found = server.folder.read(file, max_rows);
   if (!found) return no_tape(found.error());
   const bool is_edited = question.contains("text") && question["text"].is_string();
   const std::string text = is_edited ? question["text"].get<std::string>() : SourceText(as_text(text_source(found->bytes))).whole();
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return no_tape(translated(texts::page::empty_for_tape, file));
-  const TapeCode code = said.value_or(TapeCode::iso);
+  const TapeCode code = given.value_or(TapeCode::iso);
   constexpr std::uint32_t usual_leader = 100;  // number of blank rows before and after the program
   const std::size_t leader = std::min<std::size_t>(count_in(question, "leader", usual_leader), max_leader);
   const auto rows = encode_tape(text, leader, code);
@@ -54,18 +54,18 @@ PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question,
   return PageJson{{"bytes", base64_of(*rows)}, {"rows", rows->size()}, {"name", free_name(file, ".tape")}};
 }
 
-PageSession::Inside::Answer PageSession::Inside::read_punched(const std::string& file, std::optional<TapeCode> said) const {
+PageSession::Inside::Answer PageSession::Inside::read_punched(const std::string& file, std::optional<TapeCode> given) const {
   const auto found = server.folder.read(file, max_rows);
   if (!found) return no_tape(found.error());
-  const TapeReading read = read_tape(found->bytes, said);
-  if (!read.looks_like_tape && !said) return no_tape(translated(texts::page::not_a_tape, file));
+  const TapeReading read = read_tape(found->bytes, given);
+  if (!read.looks_like_tape && !given) return no_tape(translated(texts::page::not_a_tape, file));
   PageJson faults = PageJson::array();
   for (std::size_t i = 0; i < std::min(read.faults.size(), max_faults_reported); ++i)
     faults.push_back(fault_in_words(read.faults[i], read.code, lang));
-  const bool lies = read.lie != TapeOrientation::right;
+  const bool is_turned = read.orientation != TapeOrientation::right;
   return PageJson{{"text", read.text},
                   {"code", read.code == TapeCode::eia ? "eia" : "iso"},
-                  {"lies", lies ? translated(texts::page::tape_was, orientation_in_words(read.lie, lang)) : std::string()},
+                  {"lies", is_turned ? translated(texts::page::tape_was, orientation_in_words(read.orientation, lang)) : std::string()},
                   {"faults", std::move(faults)},
                   {"more", read.faults.size() - std::min(read.faults.size(), max_faults_reported)},
                   {"name", free_name(file, ".nc")}};

@@ -88,7 +88,7 @@ PageJson cut_json_of(const ReportPart& part, const AlarmTexts& texts, Lang lang)
   return json;
 }
 
-PageJson told_in(const ReportContent& c, Lang lang) {
+PageJson texts_in(const ReportContent& c, Lang lang) {
   PageJson problems = PageJson::array(), findings = PageJson::array();
   for (std::size_t i = 0; i < std::min(c.alarms.size(), max_alarms); ++i)
     problems.push_back(problem_of(c.alarms[i], *c.run.opened().texts, lang));
@@ -165,8 +165,8 @@ double max_bytes(const ProgramRun& run) {
 PageJson head_json(const ReportContent& c, const ReportQuanta& q) {
   PageJson json = {{"version", c.version}, {"file", c.file}, {"language", c.lang == Lang::ru ? "ru" : "en"}};
   json["quanta"] = {{"length", q.length}, {"time", q.time}, {"feed", q.feed}, {"direction", q.direction}, {"position", q.position}};
-  json["en"] = told_in(c, Lang::en);
-  json["ru"] = told_in(c, Lang::ru);
+  json["en"] = texts_in(c, Lang::en);
+  json["ru"] = texts_in(c, Lang::ru);
   json["made"] = json["en"]["sheet"]["date"];
   json["part"] = c.part != nullptr ? PageJson{{"cell", c.part->cell}, {"off", c.part->off}} : PageJson();
   json["licences"] = c.licences;
@@ -183,9 +183,9 @@ tl::expected<std::string, std::string> report_html(std::string_view viewer, cons
   const ReportQuanta quanta = quanta_of(pieces);
   PageJson json = head_json(c, quanta);
   const std::string part = c.part != nullptr ? part_bytes(c.part->frame, quanta) : std::string();
-  const auto beside = zlib_packed(dumped(json) + part);
-  if (!beside) return tl::unexpected(beside.error());
-  const double left = (max_bytes(c.run) - double(viewer.size())) / base64_by_bytes - double(beside->size());
+  const auto packed_rest = zlib_packed(dumped(json) + part);
+  if (!packed_rest) return tl::unexpected(packed_rest.error());
+  const double left = (max_bytes(c.run) - double(viewer.size())) / base64_by_bytes - double(packed_rest->size());
   auto path = report_path(pieces, quanta, std::max(left, least_path));
   if (!path) return tl::unexpected(path.error());
   json["thinned"] = path->thinning.off();

@@ -19,52 +19,52 @@ constexpr int max_tries = 4;
 
 /// The thinnings of a path, from no omission to a hardly recognisable path. Vertices within blocks are omitted first, so that the end of
 /// each program line keeps its time.
-constexpr std::array<Thinning, 16> ways = {Thinning{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0},   {6, 0},   {7, 0},
-                                           {8, 0},         {8, 2}, {8, 4}, {8, 6}, {8, 8}, {10, 10}, {12, 12}, {15, 15}};
+constexpr std::array<Thinning, 16> thinnings = {Thinning{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0},   {6, 0},   {7, 0},
+                                                {8, 0},         {8, 2}, {8, 4}, {8, 6}, {8, 8}, {10, 10}, {12, 12}, {15, 15}};
 
 using Column = std::vector<std::int32_t>;
 
-std::size_t kept_by(const std::vector<DrawnPiece>& pieces, const Thinning& thinning) {
-  std::size_t kept = 0;
+std::size_t count_left_by(const std::vector<DrawnPiece>& pieces, const Thinning& thinning) {
+  std::size_t count = 0;
   for (const DrawnPiece& drawn : pieces)
-    for (std::size_t i = 0; i < drawn.piece->vertices.size(); ++i) kept += is_left_out(*drawn.piece, i, thinning) ? 0 : 1;
-  return kept;
+    for (std::size_t i = 0; i < drawn.piece->vertices.size(); ++i) count += is_left_out(*drawn.piece, i, thinning) ? 0 : 1;
+  return count;
 }
 
 template <class Value>
-void put(PackedColumns& to, const std::vector<const PathVertex*>& kept, Column& column, const Value& value) {
+void put(PackedColumns& to, const std::vector<const PathVertex*>& vertices, Column& column, const Value& value) {
   column.clear();
-  for (const PathVertex* const v : kept) column.push_back(value(*v));
+  for (const PathVertex* const v : vertices) column.push_back(value(*v));
   to.put(column);
 }
 
 std::string packed_piece(const DrawnPiece& drawn, const Thinning& thinning, const ReportQuanta& q) {
   const ViewPiece& piece = *drawn.piece;
-  std::vector<const PathVertex*> kept;
+  std::vector<const PathVertex*> vertices;
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
     if (is_left_out(piece, i, thinning)) continue;
-    kept.push_back(&piece.vertices[i]);
+    vertices.push_back(&piece.vertices[i]);
     indices.push_back(i);
   }
   PackedColumns to;
-  to.put_u32(std::uint32_t(kept.size()));
+  to.put_u32(std::uint32_t(vertices.size()));
   to.put_u32(drawn.which), to.put_u32(0);  // number of the path, and number of the channel
   to.put_u32((piece.directions.empty() ? 0 : 1) + 2 * std::uint32_t(piece.joints()));
   to.put_u32(piece.first);
   to.put_f64(piece.begins);
   Column column;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.at[axis]), q.length); });
-  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.time), q.time); });
-  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.line); });
-  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.number); });
-  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.feed), q.feed); });
-  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.speed), q.feed); });
-  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.tool); });
-  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.file); });
-  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.kind); });
-  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.level); });
+    put(to, vertices, column, [&](const PathVertex& v) { return in_steps(double(v.at[axis]), q.length); });
+  put(to, vertices, column, [&](const PathVertex& v) { return in_steps(double(v.time), q.time); });
+  put(to, vertices, column, [](const PathVertex& v) { return std::int32_t(v.line); });
+  put(to, vertices, column, [](const PathVertex& v) { return std::int32_t(v.number); });
+  put(to, vertices, column, [&](const PathVertex& v) { return in_steps(double(v.feed), q.feed); });
+  put(to, vertices, column, [&](const PathVertex& v) { return in_steps(double(v.speed), q.feed); });
+  put(to, vertices, column, [](const PathVertex& v) { return std::int32_t(v.tool); });
+  put(to, vertices, column, [](const PathVertex& v) { return std::int32_t(v.file); });
+  put(to, vertices, column, [](const PathVertex& v) { return std::int32_t(v.kind); });
+  put(to, vertices, column, [](const PathVertex& v) { return std::int32_t(v.level); });
   for (std::size_t axis = 0; axis < 3 && !piece.directions.empty(); ++axis) {
     column.clear();
     for (const std::size_t i : indices) column.push_back(in_steps(double(piece.directions[i][axis]), q.direction));
@@ -127,25 +127,26 @@ ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces) {
 }
 
 tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed) {
-  const auto way_for = [&](double by_vertex) {
-    std::size_t way = 0;
-    while (way + 1 < ways.size() && double(kept_by(pieces, ways[way])) * by_vertex > most_packed) ++way;
-    return way;
+  const auto index_for = [&](double by_vertex) {
+    std::size_t index = 0;
+    while (index + 1 < thinnings.size() && double(count_left_by(pieces, thinnings[index])) * by_vertex > most_packed) ++index;
+    return index;
   };
   // The variable too_long is the index of the coarsest thinning whose result was too long, plus 1; 0 if no result was too long.
-  std::size_t way = way_for(first_guess), too_long = 0;
+  std::size_t index = index_for(first_guess), too_long = 0;
   std::optional<ReportPath> made;
   for (int tries = 0; tries < max_tries || !made; ++tries) {
-    ReportPath path{packed_path(pieces, ways[way], quanta), ways[way]};
+    ReportPath path{packed_path(pieces, thinnings[index], quanta), thinnings[index]};
     const auto packed = zlib_packed(path.bytes);
     if (!packed) return tl::unexpected(packed.error());
-    const bool fits = double(packed->size()) <= most_packed || way + 1 == ways.size();
+    const bool fits = double(packed->size()) <= most_packed || index + 1 == thinnings.size();
     if (fits) made = std::move(path);
-    else too_long = way + 1;
-    const std::size_t by_now = way_for(double(packed->size()) / double(std::max<std::size_t>(kept_by(pieces, ways[way]), 1)));
+    else too_long = index + 1;
+    const std::size_t by_now =
+        index_for(double(packed->size()) / double(std::max<std::size_t>(count_left_by(pieces, thinnings[index]), 1)));
     const std::size_t next = std::max(by_now, too_long);
-    if (fits && next >= way) break;
-    way = std::min(fits ? next : std::max(next, way + 1), ways.size() - 1);
+    if (fits && next >= index) break;
+    index = std::min(fits ? next : std::max(next, index + 1), thinnings.size() - 1);
   }
   return std::move(*made);
 }

@@ -18,14 +18,14 @@ namespace {
 double any_number(double least, double most) { return least + *rc::gen::inRange(0, 10'001) / 10'000.0 * (most - least); }
 
 double distance_to_line(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 way = b - a;
-  const double all = dot(way, way);
-  const double part = all == 0 ? 0.0 : std::clamp(dot(p - a, way) / all, 0.0, 1.0);
-  return length(p - a - part * way);
+  const Vec2 delta = b - a;
+  const double all = dot(delta, delta);
+  const double part = all == 0 ? 0.0 : std::clamp(dot(p - a, delta) / all, 0.0, 1.0);
+  return length(p - a - part * delta);
 }
 
 /// Returns the least distance of a point from the tool's path in a whole pass.
-double distance_to_way(Vec2 p, const PocketRounds& rounds, double direction) {
+double distance_to_path(Vec2 p, const PocketRounds& rounds, double direction) {
   double least = length(p);  // the plunge in the middle
   Vec2 at{};
   for (double i = 0; i < rounds.count(); ++i) {
@@ -71,9 +71,9 @@ RC_GTEST_PROP(pocket, no_area_stays_inside_the_wall, ()) {
   for (int i = 0; i <= 24; ++i)
     for (int j = 0; j <= 24; ++j) {
       const Vec2 p{(i / 24.0 - 0.5) * (pocket.x + 4), (j / 24.0 - 0.5) * (pocket.y + 4)};
-      const double wall = beyond_wall(p, pocket), way = distance_to_way(p, *rounds, direction);
-      if (wall < -chord) RC_ASSERT(way < radius + chord);
-      if (wall > chord) RC_ASSERT(way > radius - chord);
+      const double wall = beyond_wall(p, pocket), off_path = distance_to_path(p, *rounds, direction);
+      if (wall < -chord) RC_ASSERT(off_path < radius + chord);
+      if (wall > chord) RC_ASSERT(off_path > radius - chord);
     }
 }
 

@@ -157,8 +157,8 @@ RC_GTEST_PROP(transformations, an_increment_behind_the_switch_is_mapped_from_whe
   const auto motions = motions_of(start + "G0" + word("X", at.x) + word("Y", at.y) + word("Z", at.z) + "\n" + s.on + "\nG91" +
                                   word("X", by.x) + word("Y", by.y) + word("Z", by.z) + "\n");
   RC_ASSERT(motions.size() == 2U);
-  const Vec3 way = s.map(by) - s.map({});
-  RC_ASSERT(length(point(motions[1].to) - (at + way)) <= near);
+  const Vec3 shift = s.map(by) - s.map({});
+  RC_ASSERT(length(point(motions[1].to) - (at + shift)) <= near);
 }
 
 // ---- the map itself

@@ -106,7 +106,7 @@ RC_GTEST_PROP(turning, roughs_above_the_contour_and_ends_on_it, ()) {
   RC_ASSERT(std::fabs(deepest - (-s.deep + s.in_allowance)) < 1e-3);
 }
 
-std::vector<std::string> ways_of(const std::vector<Motion>& motions) {
+std::vector<std::string> paths_of(const std::vector<Motion>& motions) {
   std::vector<std::string> all;
   for (const Motion& m : motions) {
     char text[100];
@@ -122,8 +122,8 @@ RC_GTEST_PROP(turning, finishes_as_if_the_contour_stood_there, ()) {
   const std::string head = std::string(s.letters.plane) + " G90 G94 F100\n", back = "G0 " + s.to(0, 0);
   const auto cycle = run("nct", head + "G70.7 P10 Q99\nM30\n" + s.contour());
   RC_ASSERT(cycle.alarms.empty());
-  auto written = ways_of(run("nct", head + s.contour() + back).motions());
-  RC_ASSERT(ways_of(cycle.motions()) == written);
+  auto written = paths_of(run("nct", head + s.contour() + back).motions());
+  RC_ASSERT(paths_of(cycle.motions()) == written);
 }
 
 TEST(turning, an_alarm_takes_the_first_line_back) {

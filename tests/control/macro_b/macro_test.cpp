@@ -11,8 +11,8 @@ namespace {
 
 using namespace test;
 
-constexpr int variables = 9;       // the program uses #1 … #9; #20 … count loops
-constexpr double same_way = 1e-9;  // mm
+constexpr int variables = 9;            // the program uses #1 … #9; #20 … count loops
+constexpr double same_distance = 1e-9;  // mm
 
 // ---- programs as trees
 
@@ -92,11 +92,11 @@ class ProgramPrinter {
  private:
   std::string condition(const Step& step) { return "[" + print_(step.left) + " " + step.relation + " " + print_(step.right) + "]"; }
 
-  void all(const Steps& steps, int loops, int way_out) {
-    for (const Step& step : steps) one(step, loops, way_out);
+  void all(const Steps& steps, int loops, int exit_label) {
+    for (const Step& step : steps) one(step, loops, exit_label);
   }
 
-  void one(const Step& step, int loops, int way_out) {
+  void one(const Step& step, int loops, int exit_label) {
     switch (step.kind) {
       case Step::Kind::assign:
         text_ += (step.relation.empty() ? "" : "IF" + condition(step) + "THEN") + "#" + std::to_string(step.target) + "=" +
@@ -106,11 +106,11 @@ class ProgramPrinter {
         text_ += "G1 X" + (scale_.empty() ? "[" + print_(step.value) + "]" : "[[" + print_(step.value) + "]" + scale_ + "]") + " F[100" +
                  scale_ + "]\n";
         return;
-      case Step::Kind::leave: text_ += "IF" + condition(step) + "GOTO" + std::to_string(way_out) + "\n"; return;
+      case Step::Kind::leave: text_ += "IF" + condition(step) + "GOTO" + std::to_string(exit_label) + "\n"; return;
       case Step::Kind::unless: {
         const int label = ++labels_;
         text_ += "IF" + condition(step) + "GOTO" + std::to_string(label) + "\n";
-        all(step.body, loops, way_out);
+        all(step.body, loops, exit_label);
         text_ += "N" + std::to_string(label) + "G90\n";
         return;
       }
@@ -119,20 +119,20 @@ class ProgramPrinter {
   }
 
   void loop(const Step& step, int depth) {
-    const int way_out = ++labels_;
+    const int exit_label = ++labels_;
     const std::string count = "#" + std::to_string(20 + depth), number = std::to_string(depth);
     text_ += count + "=0\n";
     if (unrolled_) {
       for (int pass = 0; pass < step.target; ++pass) {
-        all(step.body, depth, way_out);
+        all(step.body, depth, exit_label);
         text_ += count + "=" + count + "+1\n";
       }
     } else {
       text_ += "WHILE[" + count + "LT" + std::to_string(step.target) + "]DO" + number + "\n";
-      all(step.body, depth, way_out);
+      all(step.body, depth, exit_label);
       text_ += count + "=" + count + "+1\nEND" + number + "\n";
     }
-    text_ += "N" + std::to_string(way_out) + "G90\n";
+    text_ += "N" + std::to_string(exit_label) + "G90\n";
   }
 
   TreePrinter print_;
@@ -380,7 +380,7 @@ TEST(macro_arguments, are_no_codes_of_the_block) {
   const auto r = run("nct", "G65 P300 M3 S500 T7 F20 H2.5 D-0.5\nG65 S100 M30 P300\n" + shows_locals());
   EXPECT_EQ(r.first_alarm(), "");
   EXPECT_TRUE(r.motions().empty());
-  for (const Action& a : r.actions) EXPECT_TRUE(std::holds_alternative<FrameChange>(a.what) || is_told(a));
+  for (const Action& a : r.actions) EXPECT_TRUE(std::holds_alternative<FrameChange>(a.what) || is_report(a));
   EXPECT_EQ(variable_of(r.ending, 113), 30);
   EXPECT_EQ(variable_of(r.ending, 119), 100);
   const auto signs = run("nct", "#1=0.4\nG65 P300 H2.5 D#1 F-3 T-1.5\n" + shows_locals());
@@ -527,7 +527,7 @@ RC_GTEST_PROP(macro_programs, in_inches_move_the_same, ()) {
   const auto one = a.motions(), other = b.motions();
   RC_ASSERT(one.size() == other.size());
   for (std::size_t i = 0; i < one.size(); ++i)
-    if (std::fabs(one[i].to[0] - other[i].to[0]) > same_way || std::fabs(one[i].feed - other[i].feed) > same_way)
+    if (std::fabs(one[i].to[0] - other[i].to[0]) > same_distance || std::fabs(one[i].feed - other[i].feed) > same_distance)
       RC_FAIL(inches + "moves elsewhere");
 }
 
@@ -540,10 +540,10 @@ TEST(macro_variables, of_lengths_are_read_in_the_unit_in_force) {
   EXPECT_EQ(r.first_alarm(), "");
   EXPECT_EQ(variable_of(r.ending, 101), 25.4);
   EXPECT_EQ(variable_of(r.ending, 102), 50.8);
-  EXPECT_NEAR(variable_of(r.ending, 103), 1, same_way);
-  EXPECT_NEAR(variable_of(r.ending, 104), 2, same_way);
-  EXPECT_NEAR(variable_of(r.ending, 105), 25.4, same_way);
-  EXPECT_NEAR(variable_of(r.ending, 106), 50.8, same_way);
+  EXPECT_NEAR(variable_of(r.ending, 103), 1, same_distance);
+  EXPECT_NEAR(variable_of(r.ending, 104), 2, same_distance);
+  EXPECT_NEAR(variable_of(r.ending, 105), 25.4, same_distance);
+  EXPECT_NEAR(variable_of(r.ending, 106), 50.8, same_distance);
 }
 
 // ---- loops and jumps of the manual (23.2.8, 23.2.11)

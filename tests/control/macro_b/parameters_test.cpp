@@ -30,7 +30,7 @@ Write block(double n, double p, double q, double r) {
 }
 
 /// Returns the alarm with its arguments, for example "2002 P".
-std::string told(const Alarm& alarm) {
+std::string described(const Alarm& alarm) {
   std::string text(name_of(alarm.id));
   for (std::size_t i = 0; i < alarm.arg_count; ++i)
     text +=
@@ -43,12 +43,12 @@ std::string refused(const ParameterStore& of, const Write& w) {
   const auto status = copy.write(w);
   EXPECT_EQ(copy.version(), of.version() + (status ? 1 : 0));
   EXPECT_TRUE(status || copy.written() == of.written());
-  return status ? "done" : told(status.error());
+  return status ? "done" : described(status.error());
 }
 
 std::string read(const ParameterStore& of, double number, std::optional<double> bit = {}, std::optional<double> index = {}) {
   const auto value = of.read(number, bit, index, {});
-  return value ? std::to_string(*value) : told(value.error());
+  return value ? std::to_string(*value) : described(value.error());
 }
 
 TEST(parameters, without_a_set_up_are_those_of_power_on) {

@@ -38,20 +38,20 @@ const std::string shows =
     "G67\nG50.1\nG15\nG13.1\nG0 X2 C5\nG2 X8 Y1 R20\n";
 
 /// Restates the modes and the position that a faulty motion may leave to the blocks after it.
-const std::string anew = "G90 G17 G21 G0 X0 Y0 Z0 C0\n";
+const std::string restart = "G90 G17 G21 G0 X0 Y0 Z0 C0\n";
 
 TEST(alarm_on_nct, leaves_everything_as_it_was) {
   const std::string head = "GOTO10\nO300\n#101=#101+1\nX#24 Y#25\nM99\nO301\nY1\nM99\nN10 F100\n#1=3\n#100=4\n";
   const Scene scenes[] = {
-      {"nct", head + "G1 X1 Y1\n", shows, anew},
-      {"nct", head + "G0 X1\nG16\nX5 Y45\n", "X6\nY20\n" + shows, anew},
-      {"nct", head + "G51.1 X5\nG1 X2\n", "X6\nY20\n" + shows, anew},
+      {"nct", head + "G1 X1 Y1\n", shows, restart},
+      {"nct", head + "G0 X1\nG16\nX5 Y45\n", "X6\nY20\n" + shows, restart},
+      {"nct", head + "G51.1 X5\nG1 X2\n", "X6\nY20\n" + shows, restart},
       {"nct", head + "G51.1 X5\nG51 X1 Y2 Z3 P2\nG68 X4 Y5 R30\nG1 X2\n", "X6\nG68 X1 Y1 RI10\nY20\nG69\nG51 X0 P3\nX7\nG50\nX8\n" + shows,
-       anew},
-      {"nct", head + "G92 X5\nG52 Y3\nG1 X2\n", "G92 X6\nX7\nG52 X0 Y0\n" + shows, anew},
-      {"nct", head + "G66 P301\nG1 X2\n", "X6\n" + shows, anew},
-      {"nct", head + "T71 M6\nS500 M3\nT72\nG0 X2\n", "M5\n" + shows, anew},
-      {"nct", head + "G91 G0 X1\nG95 S300 M4\n", "G90 G94\n" + shows, anew},
+       restart},
+      {"nct", head + "G92 X5\nG52 Y3\nG1 X2\n", "G92 X6\nX7\nG52 X0 Y0\n" + shows, restart},
+      {"nct", head + "G66 P301\nG1 X2\n", "X6\n" + shows, restart},
+      {"nct", head + "T71 M6\nS500 M3\nT72\nG0 X2\n", "M5\n" + shows, restart},
+      {"nct", head + "G91 G0 X1\nG95 S300 M4\n", "G90 G94\n" + shows, restart},
   };
   const char* faults[] = {
       "#1=7/0",
@@ -136,7 +136,7 @@ TEST(alarm_on_nct, of_a_bound_code_leaves_everything_as_it_was) {
   setup.parameters[key("N1720")] = 600.0;
   setup.parameters[key("N1733")] = 500.0;
   setup.parameters[key("N1746#4")] = 1.0;
-  const Scene scene{"nct", "F100\nG1 X1\n", "#110=#199\n#111=#4120\n#112=#4113\n#113=#4001\n#114=#4109\nX2\nG91 X1\nY2\n", anew};
+  const Scene scene{"nct", "F100\nG1 X1\n", "#110=#199\n#111=#4120\n#112=#4113\n#113=#4001\n#114=#4109\nX2\nG91 X1\nY2\n", restart};
   for (const char* fault :
        {"G2000 X5", "G2001 X5", "M500 X5", "G0 X5 F7 M600", "T5", "G0 X5 T5 F7", "T5 X99999999", "T5 X5 Q7", "G91 X5 T5"})
     EXPECT_EQ(differences(scene, fault, setup), "") << fault;

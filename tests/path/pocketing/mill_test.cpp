@@ -141,7 +141,7 @@ TEST(Mill, ARestBesideAnArcAroundACorner) {
   job.depth = job.layer = 2;
   const auto path = verified_path(zones(edges), job);
   ASSERT_TRUE(path) << name_of(path.error().id);
-  EXPECT_NEAR(path->outcome.nearest_wall, path->outcome.wanted, tol::area_wall / 4);
+  EXPECT_NEAR(path->outcome.nearest_wall, path->outcome.required, tol::area_wall / 4);
 }
 
 constexpr double most_left = 0.05;  // mm²

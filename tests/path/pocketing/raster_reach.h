@@ -25,8 +25,9 @@ class RasterReach {
     up_ = static_cast<std::size_t>(std::ceil((box_.most.y - box_.least.y) / cell_)) + 1;
     inside_.assign(across_ * up_, false);
     for (std::size_t row = 0; row < up_; ++row) fill(row);
-    constexpr int ways = 120;
-    for (int i = 0; i < ways; ++i) ways_.push_back({std::cos(2 * std::numbers::pi * i / ways), std::sin(2 * std::numbers::pi * i / ways)});
+    constexpr int direction_count = 120;
+    for (int i = 0; i < direction_count; ++i)
+      directions_.push_back({std::cos(2 * std::numbers::pi * i / direction_count), std::sin(2 * std::numbers::pi * i / direction_count)});
   }
 
   /// Returns the area in mm² that the tool can reach and the moves leave, for the worst layer. Cusps of up to `cusp` mm do not count.
@@ -99,8 +100,8 @@ class RasterReach {
   bool can_be_cut(Vec2 p) const {
     const double off_walls = job_.radius + job_.allowance + margin;
     for (const double share : {1.0, 0.7, 0.3, 0.0})
-      for (const Vec2& way : ways_) {
-        const Vec2 centre = p + share * (job_.radius - margin) * way;
+      for (const Vec2& direction : directions_) {
+        const Vec2 centre = p + share * (job_.radius - margin) * direction;
         if (std::all_of(walls_.begin(), walls_.end(), [&](const Edge& wall) { return distance(wall, centre) >= off_walls; })) return true;
         if (share == 0) break;
       }
@@ -113,7 +114,7 @@ class RasterReach {
   Bounds box_;
   std::size_t across_ = 0, up_ = 0;
   std::vector<bool> inside_;
-  std::vector<Vec2> ways_;  // unit vectors in all directions
+  std::vector<Vec2> directions_;  // unit vectors in all directions
 };
 
 }  // namespace kadr::area

@@ -187,7 +187,7 @@ Result<bool> before_plan(Interpreter& m) {
   }
   if (const auto called = call_with_words(m); !called || *called) return called;
   const bool looks_closer = watches_words(m) || watches_codes(m);
-  if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
+  if (m.block->repeated && m.block->checked == m.block->letters && !m.block->codes_vary &&
       !looks_closer) {  // an earlier execution of this block has checked its words …
     if (!m.block->calls_macro) count_increments(m);
     // … but the values of expressions may have changed since that execution

@@ -33,7 +33,7 @@ std::int16_t Fanuc::motion_row(const BlockContext& m) const { return fanuc::moti
 
 BlockChanges Fanuc::changes_of(const BlockContext& m, const Plan& plan) const {
   if (m.modal.polar_data || drilling_on(m) || !m.transform.identity || m.keeps_flow_place()) return BlockChanges::anything;
-  if (leads_lines(m)) return BlockChanges::anything;
+  if (controls_lines(m)) return BlockChanges::anything;
   return plan.moves_and_feeds || plan.calls_only ? BlockChanges::little : BlockChanges::anything;
 }
 
@@ -47,7 +47,7 @@ Status Fanuc::after_block(Interpreter& m) { return fanuc::after_block(m); }
 
 Status Fanuc::target(const BlockContext& m, Axes& to, AxisMask& named) const { return fanuc::target(m, to, named); }
 
-bool Fanuc::shapes_lines(const BlockContext& m) const { return has_geometry_words(m) || leads_lines(m); }
+bool Fanuc::shapes_lines(const BlockContext& m) const { return has_geometry_words(m) || controls_lines(m); }
 
 Status Fanuc::straight(Emitter& m, const Call& call, MotionKind kind) {
   return has_geometry_words(m) ? shaped_line(m, call, kind) : tip_control_line(m, call, kind);
@@ -120,10 +120,11 @@ void Fanuc::synchronise(int slave, int master) {
     SpindleState& s = spindle(n);
     s.master = master;
     if (master < 1 || master > static_cast<int>(max_spindles)) continue;
-    SpindleState& leads = spindle(master);  // 11.7.4: the position loops of both spindles are closed; the slave turns at the master's speed
-    s.rpm = leads.rpm;
-    s.dir = leads.dir;
-    s.loop_closed = leads.loop_closed = true;
+    SpindleState& leading =
+        spindle(master);  // 11.7.4: the position loops of both spindles are closed; the slave turns at the master's speed
+    s.rpm = leading.rpm;
+    s.dir = leading.dir;
+    s.loop_closed = leading.loop_closed = true;
   }
 }
 

@@ -164,7 +164,7 @@ namespace {
 void take_length_in_force(BlockContext& m) {
   const std::uint32_t number = m.modal.length_number;
   if (m.modal.length_sign == 0 || number == 0 || m.modal.turning_lengths || any_nonzero(m.modal.lengths)) return;
-  if (fanuc_of(m).state.five_axis.lead != TipControl::none || number >= m.tables.offsets.size()) return;
+  if (fanuc_of(m).state.five_axis.tip_control != TipControl::none || number >= m.tables.offsets.size()) return;
   const Vec3 tool = fanuc_of(m).settings.five_axis.tool;
   const int axis = main_axis(m, tool.x != 0 ? 1 : tool.y != 0 ? 2 : 3);
   if (axis >= 0) m.modal.lengths[static_cast<std::size_t>(axis)] = m.modal.length_sign * m.tables.offsets[number].whole_length();
@@ -241,11 +241,11 @@ bool Fanuc::end_program(Interpreter& m) {
 /// (23.5).
 bool Fanuc::lose_power(Interpreter& m) {
   ActionBatch unseen;
-  ActionBatch* const kept = std::exchange(m.batch, &unseen);
+  ActionBatch* const batch_before = std::exchange(m.batch, &unseen);
   const bool keeps_codes = std::exchange(settings.keeps_codes, false);
   reset_program(m);
   settings.keeps_codes = keeps_codes;
-  m.batch = kept;
+  m.batch = batch_before;
   return MacroB::lose_power(m);
 }
 

@@ -78,7 +78,7 @@ int drilling_axis(const BlockContext& m, const Word* bottom) {
 class Drilling {
  public:
   Drilling(Emitter& m, const Call& call)
-      : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(fanuc_of(m).state.drilling) {
+      : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), memory_(fanuc_of(m).state.drilling) {
     const bool rigid = fanuc_of(m).state.rigid_tap || fanuc_of(m).settings.taps_rigid;
     if (rigid && (code_ == 84_g || code_ == 74_g)) code_ = code_ == 84_g ? 84.2_g : 84.3_g;
     if (code_ == only_back) code_ = 87_g;
@@ -105,7 +105,7 @@ class Drilling {
       if (!(passes >= 0 && passes <= max_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
     }
     if (passes == 0 || m_.has_code({Function::hole_pattern})) return {};
-    KADR_TRY(over_hole(m_, kept_.axis));
+    KADR_TRY(over_hole(m_, memory_.axis));
     return start({}, static_cast<std::uint32_t>(passes));
   }
 
@@ -165,11 +165,11 @@ class Drilling {
   /// the hole (18.0).
   Status begin(std::size_t axis, const Word* bottom) {
     const bool fresh = !drilling_on(m_);
-    if (!fresh && axis == kept_.axis) return {};
+    if (!fresh && axis == memory_.axis) return {};
     if (bottom == nullptr || !m_.has('R')) return fail(alarm(AlarmId::cycle_data_missing, call_.where));
-    if (fresh) kept_ = {};
-    kept_.axis = axis;
-    kept_.initial = before_new_length()[axis];
+    if (fresh) memory_ = {};
+    memory_.axis = axis;
+    memory_.initial = before_new_length()[axis];
     return {};
   }
 
@@ -182,27 +182,27 @@ class Drilling {
 
   Status resume_from(const Word* bottom) {
     if (bottom != nullptr) {
-      kept_.bottom = coordinate(m_, *bottom, kept_.axis);
-      kept_.bottom_added = is_increment(m_, *bottom);
+      memory_.bottom = coordinate(m_, *bottom, memory_.axis);
+      memory_.bottom_added = is_increment(m_, *bottom);
     }
     if (const Word* const r = m_.word('R'); r != nullptr) {  // R is always a radius, even in diameter programming (5.3)
-      kept_.level = m_.length_value('R');
-      kept_.level_added = !m_.modal.absolute || r->incremental;
+      memory_.level = m_.length_value('R');
+      memory_.level_added = !m_.modal.absolute || r->incremental;
     }
     const bool percent = has_percent() && !m_.def.behaviour.shifts_by_q();
-    if (m_.has('I') && percent) KADR_TRY(positive('I', m_.value('I'), kept_.percent));
-    if (m_.has('I') && !percent) kept_.shift.x = m_.length_value('I');
-    if (m_.has('J')) kept_.shift.y = m_.length_value('J');
-    if (m_.has('K') && !m_.def.behaviour.repeats_by_k) kept_.shift.z = m_.length_value('K');
-    if (m_.has('Q') && by_q()) kept_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: Q counts without its sign
-    else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), kept_.peck));
-    if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), kept_.clearance));
+    if (m_.has('I') && percent) KADR_TRY(positive('I', m_.value('I'), memory_.percent));
+    if (m_.has('I') && !percent) memory_.shift.x = m_.length_value('I');
+    if (m_.has('J')) memory_.shift.y = m_.length_value('J');
+    if (m_.has('K') && !m_.def.behaviour.repeats_by_k) memory_.shift.z = m_.length_value('K');
+    if (m_.has('Q') && by_q()) memory_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: Q counts without its sign
+    else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), memory_.peck));
+    if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), memory_.clearance));
     if (m_.has('P') && m_.def.behaviour.dwell_unit != DwellUnit::seconds) {
       const auto seconds = dwell_by_digits(m_);
       if (!seconds) return fail(seconds.error());
-      KADR_TRY(not_negative('P', *seconds, kept_.dwell));
+      KADR_TRY(not_negative('P', *seconds, memory_.dwell));
     } else if (m_.has('P') && !m_.has_code({Function::dwell_or_turns}))
-      KADR_TRY(not_negative('P', m_.value('P'), kept_.dwell));  // 18.2: P is the dwell, as in G4
+      KADR_TRY(not_negative('P', m_.value('P'), memory_.dwell));  // 18.2: P is the dwell, as in G4
     return {};
   }
 
@@ -219,14 +219,14 @@ class Drilling {
   }
 
   Status levels(DrillingRun::Job& job) const {
-    job.axis = kept_.axis;
-    job.initial = kept_.initial;
-    job.level = kept_.level_added ? kept_.initial + kept_.level : kept_.level;
-    job.bottom = kept_.bottom_added ? job.level + kept_.bottom : kept_.bottom;
+    job.axis = memory_.axis;
+    job.initial = memory_.initial;
+    job.level = memory_.level_added ? memory_.initial + memory_.level : memory_.level;
+    job.bottom = memory_.bottom_added ? job.level + memory_.bottom : memory_.bottom;
     job.to_initial = m_.modal.retract_initial;
     for (const double level : {job.level, job.bottom, job.initial})
       if (!(std::fabs(level) <= farthest))
-        return fail(alarm(AlarmId::position_out_of_range, call_.where, std::string_view(m_.axis_names[kept_.axis]), level));
+        return fail(alarm(AlarmId::position_out_of_range, call_.where, std::string_view(m_.axis_names[memory_.axis]), level));
     return {};
   }
 
@@ -236,35 +236,35 @@ class Drilling {
     const Settings& s = fanuc_of(m_).settings;
     const auto percent = [](double value) { return value > 0 ? value : 100; };
     job.code = code_;
-    job.peck = kept_.peck;
-    job.dwell = kept_.dwell;
+    job.peck = memory_.peck;
+    job.dwell = memory_.dwell;
     const double clearance = code_ == 73_g ? s.return_g73 : code_ == 83_g ? s.clearance_g83 : s.tap_normal ? s.tap_clearance : s.tap_back;
-    job.clearance = kept_.clearance >= 0 ? kept_.clearance : clearance;
-    const double given = kept_.percent > 0 ? kept_.percent : percent(is_tap() ? s.tap_extraction : s.extraction);
+    job.clearance = memory_.clearance >= 0 ? memory_.clearance : clearance;
+    const double given = memory_.percent > 0 ? memory_.percent : percent(is_tap() ? s.tap_extraction : s.extraction);
     job.out_percent = is_tap() && !s.tap_override ? 100 : given;
     job.between_percent = s.tap_return_override ? percent(s.tap_return) : 100;
     job.pecks_to_level = s.tap_normal;
     job.orients_tap = s.tap_orients;
     job.back_boring = code_ == 87_g && shifts();
     if (shifts()) {
-      const double values[] = {kept_.shift.x, kept_.shift.y, kept_.shift.z};
+      const double values[] = {memory_.shift.x, memory_.shift.y, memory_.shift.z};
       const std::size_t first = m_.modal.plane == Plane::zx ? 2 : m_.modal.plane == Plane::yz ? 1 : 0;
       job.shift = {values[first], values[(first + 1) % 3]};
       if (by_q() && job.shift == Vec2{}) {  // spec/fanuc 10.5: two bits give the direction of the shift: 00 +X, 01 -X, 10 +Y, 11 -Y
-        const double way = s.shift_negative ? -job.peck : job.peck;
-        job.shift = s.shift_second ? Vec2{0, way} : Vec2{way, 0};
+        const double signed_shift = s.shift_negative ? -job.peck : job.peck;
+        job.shift = s.shift_second ? Vec2{0, signed_shift} : Vec2{signed_shift, 0};
       }
     }
-    if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && kept_.shift.x > 0 &&
+    if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && memory_.shift.x > 0 &&
         (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3: each peck is shorter than the previous one
-      job.peck = kept_.shift.x;
-      job.less = std::max(kept_.shift.y, 0.0);
-      job.least = std::max(kept_.shift.z, job.less > 0 ? tol::level : 0.0);
+      job.peck = memory_.shift.x;
+      job.less = std::max(memory_.shift.y, 0.0);
+      job.least = std::max(memory_.shift.z, job.less > 0 ? tol::level : 0.0);
       if (job.least > 0 && std::fabs(job.level - job.bottom) / job.least > max_pecks)
-        return fail(alarm(AlarmId::value_out_of_range, call_.where, 'K', kept_.shift.z));
+        return fail(alarm(AlarmId::value_out_of_range, call_.where, 'K', memory_.shift.z));
     }
-    if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && code_ == 73_g && !(kept_.shift.x > 0))
-      job.clear_after = std::max(kept_.shift.z, 0.0);
+    if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && code_ == 73_g && !(memory_.shift.x > 0))
+      job.clear_after = std::max(memory_.shift.z, 0.0);
     job.rise = code_ == 83_g ? s.return_rise : 0;
     if ((code_ == 73_g || code_ == 83_g) && !(job.peck > 0))
       return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where, job.peck));
@@ -280,7 +280,7 @@ class Drilling {
     const Axes& first = m_.position.programmed;
     for (const double level : {job.initial, job.level, job.bottom}) {
       Axes hole = first;
-      hole[kept_.axis] = level;
+      hole[memory_.axis] = level;
       const Axes work = m_.transform.to_work(hole);
       for (std::size_t a = 0; a < m_.axis_count; ++a)
         if (!(std::fabs(work[a]) <= farthest))
@@ -289,7 +289,7 @@ class Drilling {
     Axes second;
     AxisMask named = 0;
     if (job.passes == 1 || m_.modal.polar_data) return {};
-    KADR_TRY(hole_position(m_, kept_.axis, second, named));
+    KADR_TRY(hole_position(m_, memory_.axis, second, named));
     fanuc_of(m_).rolled = 0;
     for (std::size_t a = 0; a < m_.axis_count; ++a) {
       const double last = first[a] + (second[a] - first[a]) * (job.passes - 1);
@@ -302,7 +302,7 @@ class Drilling {
   Emitter& m_;
   const Call& call_;
   std::int32_t code_;
-  DrillingMemory& kept_;
+  DrillingMemory& memory_;
 };
 
 /// Checks that the control has the cycle. With the codes of lathes (parameter bit N1503 CSM), the drilling cycles are G83.1, G84.1, G86.1

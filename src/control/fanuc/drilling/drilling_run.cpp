@@ -269,8 +269,8 @@ Status DrillingRun::feed(Emitter& m, double level, double percent) {
 /// Taps to a level (18.1.9). The spindle turns one revolution per thread lead, with G84.2 clockwise into the hole. The feed is emitted in
 /// mm/min, because the spindle turns with the axis.
 Status DrillingRun::tap(Emitter& m, double level, double percent) {
-  const double way = level - m.position.programmed[job_.axis];
-  if (std::fabs(way) <= tol::level) return {};
+  const double travel = level - m.position.programmed[job_.axis];
+  if (std::fabs(travel) <= tol::level) return {};
   const double rpm = tapping_rpm(m);
   const double lead = m.modal.feed_mode == FeedMode::per_revolution ? m.modal.feed : m.modal.feed / rpm;
   KADR_TRY(feed(m, level, percent));
@@ -278,7 +278,7 @@ Status DrillingRun::tap(Emitter& m, double level, double percent) {
   motion.unit = FeedUnit::mm_per_min;
   motion.feed = lead * rpm * percent / 100;
   const double hand = job_.code == 84.2_g ? 1 : -1;
-  detail_of(m, motion).turn = hand * down() * way * scale(m) / lead * 360;
+  detail_of(m, motion).turn = hand * down() * travel * scale(m) / lead * 360;
   return {};
 }
 

@@ -48,24 +48,24 @@ bool watches_words(const BlockContext& m);
 bool watches_codes(const BlockContext& m);
 /// Returns true if tip_control_line() must execute straight motions. This is the case if posture or cutting point control determines the
 /// path of the tool tip, or if the basic rotation of the work system tilts the tool.
-bool leads_lines(const BlockContext& m);
+bool controls_lines(const BlockContext& m);
 Status tip_control_line(Emitter& m, const Call& call, MotionKind kind);
 /// Completes a motion that was just added in tool centre point control: adds the data of its tip path (25.16, 25.17).
 ///   alarms  lead_angle, normal_missing
-Status lead_motion(BlockContext& m, Motion& motion, const Axes& from);
+Status control_tip(BlockContext& m, Motion& motion, const Axes& from);
 
 /// Must be called for each block while G68.2 P2 or P3 defines a plane. A block of another kind closes the definition; an incomplete
 /// definition then raises an alarm.
 Status finish_plane(BlockContext& m);
 /// Puts the tool length that an H word selects into force (25b, 25h). `length`: mm.
-void register_lead_length(BlockContext& m, double length);
+void register_tip_length(BlockContext& m, double length);
 /// Executes a D word: sets tool radius and corner radius for cutting point control (25.17).
-void note_lead_radius(BlockContext& m);
+void note_tip_radius(BlockContext& m);
 /// Checks that G49 may end tool centre point control: a motion in the block of G49 must be G0 or G1 (25.14). INFERRED: the same holds for
 /// cutting point control (25.17). alarms lead_mode
-Status may_end_lead(const BlockContext& m, const Call& call);
+Status may_end_tip_control(const BlockContext& m, const Call& call);
 /// Ends the modes G43.1 to G43.9. Called for G49, G43, G44, G43.7.
-void end_lead(BlockContext& m);
+void end_tip_control(BlockContext& m);
 /// Ends every five-axis function, as G49, G69.1 and G54 do; used by a reset.
 void reset_five_axis(BlockContext& m);
 

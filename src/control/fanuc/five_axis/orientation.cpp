@@ -21,10 +21,10 @@ constexpr int orient_alone = 531;  // code in tenths: G53.1
 Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   const FiveAxisTransform& space = *space_of(m);
   const FiveAxisTransformData& d = space.data();
-  Vec3 wanted = d.frame.column(2);
-  if (fanuc_of(m).settings.tilts_tool) wanted = d.basic * wanted;
-  const auto pair = d.machine.chosen(wanted, space.rotary(m.position.machine), d.measured);
-  if (!pair) return fail(alarm(AlarmId::direction_unreachable, call.where, wanted.x, wanted.y, wanted.z));
+  Vec3 target = d.frame.column(2);
+  if (fanuc_of(m).settings.tilts_tool) target = d.basic * target;
+  const auto pair = d.machine.chosen(target, space.rotary(m.position.machine), d.measured);
+  if (!pair) return fail(alarm(AlarmId::direction_unreachable, call.where, target.x, target.y, target.z));
   return *pair;
 }
 
@@ -142,12 +142,12 @@ Status take_orientation_length(Emitter& m, const Call& call) {
     macro_b_of(m).state.words.h = *number;
   }
   if (m.modal.length_number == 0) return fail(alarm(AlarmId::length_missing, call.where, call.row->code));
-  if (five.lead == TipControl::axis && !m.has('H')) return {};
+  if (five.tip_control == TipControl::axis && !m.has('H')) return {};
   const std::uint32_t number = m.modal.length_number;
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
   m.use.note(UseKind::length, number, m.origin, length == 0);
-  if (five.lead == TipControl::axis) {
-    register_lead_length(m, length);
+  if (five.tip_control == TipControl::axis) {
+    register_tip_length(m, length);
   } else {
     m.modal.lengths = {};
     const Vec3 along = length * fanuc_of(m).settings.five_axis.tool;
@@ -173,29 +173,30 @@ Status orient_with_tip_control(Emitter& m, const Call& call) {
   const auto words = leading_words(m, call, tip);
   if (!words) return fail(words.error());
   FiveAxisState& five = fanuc_of(m).state.five_axis;
-  const double along = five.lead == TipControl::axis ? five.lead_length : dot(space_of(m)->data().length, space_of(m)->data().machine.tool);
-  const TipControl lead = std::exchange(five.lead, TipControl::tip);
-  const double length = std::exchange(five.lead_length, along);
+  const double along =
+      five.tip_control == TipControl::axis ? five.tip_length : dot(space_of(m)->data().length, space_of(m)->data().machine.tool);
+  const TipControl tip_control = std::exchange(five.tip_control, TipControl::tip);
+  const double length = std::exchange(five.tip_length, along);
   five.oriented.reset();
   m.change_frames();  // tool centre point control is on for this motion only, so the frames are computed again
   Axes work = m.position.work;
   set_rotary(m, work, *pair);
-  FiveAxisTipPath::Data way;
-  way.space = std::static_pointer_cast<const FiveAxisTransform>(m.frames.space);
-  way.start = m.position.work;
+  FiveAxisTipPath::Data tip_path;
+  tip_path.space = std::static_pointer_cast<const FiveAxisTransform>(m.frames.space);
+  tip_path.start = m.position.work;
   if (words->end) set_main(m, work, *words->end);
   if (words->pivot != 0) {
-    way.pivot = words->pivot;
-    way.end = work;
-    const FiveAxisTransform& space = *way.space;
+    tip_path.pivot = words->pivot;
+    tip_path.end = work;
+    const FiveAxisTransform& space = *tip_path.space;
     const Vec3 from = space.in_system(tip);
     const Vec3 lean = space.direction_of(*pair) - space.direction_of(space.rotary(m.position.machine));
     set_main(m, work, space.in_frame(from + words->pivot * lean));
   }
   Motion& motion = add_five(m, *kind, work);
-  if (way.pivot) detail_of(m, motion).tip_path = std::make_shared<const FiveAxisTipPath>(way);
-  five.lead = lead;  // the mode that was in force before the block is restored
-  five.lead_length = length;
+  if (tip_path.pivot) detail_of(m, motion).tip_path = std::make_shared<const FiveAxisTipPath>(tip_path);
+  five.tip_control = tip_control;  // the mode that was in force before the block is restored
+  five.tip_length = length;
   five.oriented = *pair;
   m.change_frames();
   return {};
@@ -222,7 +223,7 @@ Status tool_orientation(Emitter& m, const Call& call) {
 Status dynamic_zero(Emitter& m, const Call& call) {
   if (!fanuc_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
-  if (controls_tip(fanuc_of(m).state.five_axis.lead)) return fail(alarm(AlarmId::lead_state, call.where, call.row->code, "G43.4"));
+  if (controls_tip(fanuc_of(m).state.five_axis.tip_control)) return fail(alarm(AlarmId::lead_state, call.where, call.row->code, "G43.4"));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, dynamic_systems);
   if (!number) return fail(number.error());

@@ -66,9 +66,9 @@ FiveAxisTransformData data_of(const Emitter& m) {
   for (int role = 1; role <= 3; ++role) d.main[static_cast<std::size_t>(role - 1)] = static_cast<std::int8_t>(main_axis(m, role));
   d.basic = basic_rotation(m);
   d.has_frame = five.frame != SpaceFrame::none;
-  d.controls_tip = controls_tip(five.lead);
+  d.controls_tip = controls_tip(five.tip_control);
   d.follows_table = (d.controls_tip || five.oriented) && d.machine.has_table();
-  d.follows_head = (five.lead != TipControl::none || five.oriented) && d.machine.has_head();
+  d.follows_head = (five.tip_control != TipControl::none || five.oriented) && d.machine.has_head();
   d.moves_origin = dynamic && !d.follows_table;
   set_zero(m, d);
   d.fixed = five.oriented;
@@ -84,7 +84,7 @@ FiveAxisTransformData data_of(const Emitter& m) {
   } else {
     d.zero = d.zero + d.basic * main_of(m, all);
   }
-  d.length = five.lead != TipControl::none ? five.lead_length * d.machine.tool : main_of(m, m.modal.lengths);
+  d.length = five.tip_control != TipControl::none ? five.tip_length * d.machine.tool : main_of(m, m.modal.lengths);
   const AxisMask rotary = FiveAxisTransform(d).rotary_axes();
   const bool in_five_axes = d.follows_table || d.follows_head || d.moves_origin || d.controls_tip;
   d.corrects = fanuc.settings.tilts_tool && in_five_axes && !(d.basic == Mat3()) && (five.positioned & rotary) == rotary && !five.oriented;

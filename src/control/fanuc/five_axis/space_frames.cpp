@@ -79,8 +79,8 @@ Status by_points(Emitter& m, const PlaneBlocks& plane) {
       length(normal) < least_sine * sides)
     return fail(alarm(AlarmId::plane_degenerate, m.block->where));
   const Vec3 x = unit(along), z = unit(normal);
-  const Mat3 lies = Mat3::of_columns(x, cross(z, x), z);
-  set_frame(m, SpaceFrame::plane, lies * Mat3::about(axis_z, plane.turn), plane.points[1] + lies * plane.points[0]);
+  const Mat3 orientation = Mat3::of_columns(x, cross(z, x), z);
+  set_frame(m, SpaceFrame::plane, orientation * Mat3::about(axis_z, plane.turn), plane.points[1] + orientation * plane.points[0]);
   return {};
 }
 

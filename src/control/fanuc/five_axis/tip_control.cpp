@@ -18,8 +18,8 @@ namespace {
 
 FiveAxisState& five_of(const BlockContext& m) { return fanuc_of(m).state.five_axis; }
 
-std::string code_of(TipControl lead) {
-  switch (lead) {
+std::string code_of(TipControl tip_control) {
+  switch (tip_control) {
     case TipControl::axis: return "G43.1";
     case TipControl::tip: return "G43.4";
     case TipControl::tip_vector: return "G43.5";
@@ -29,7 +29,7 @@ std::string code_of(TipControl lead) {
   }
 }
 
-TipControl lead_of(int arg) {
+TipControl tip_control_of(int arg) {
   switch (arg) {
     case 43.1_g: return TipControl::axis;
     case 43.4_g: return TipControl::tip;
@@ -76,14 +76,14 @@ DirectionPath::Cone cone_of(const Motion& motion, const FiveAxisTransform& space
 
 }  // namespace
 
-void register_lead_length(BlockContext& m, double length) {
+void register_tip_length(BlockContext& m, double length) {
   m.modal.lengths = {};
-  five_of(m).lead_length = length;
+  five_of(m).tip_length = length;
 }
 
-void note_lead_radius(BlockContext& m) {
+void note_tip_radius(BlockContext& m) {
   FiveAxisState& five = five_of(m);
-  if (!leads_contact(five.lead)) return;
+  if (!controls_contact(five.tip_control)) return;
   const std::uint32_t number = m.modal.offset_number;
   const ToolOffset offset = number < m.tables.offsets.size() ? m.tables.offsets[number] : ToolOffset();
   five.radius = offset.radius + offset.radius_wear;
@@ -92,19 +92,19 @@ void note_lead_radius(BlockContext& m) {
 
 /// Checks the rule "With G49 only G0 or G1 may be programmed" (25.14), which forbids an arc in the block of G49. A block of G49 without
 /// motion ends the mode, whatever motion code is in force.
-Status may_end_lead(const BlockContext& m, const Call& call) {
-  if (!controls_tip(five_of(m).lead) || straight_mode(m)) return {};
+Status may_end_tip_control(const BlockContext& m, const Call& call) {
+  if (!controls_tip(five_of(m).tip_control) || straight_mode(m)) return {};
   const bool arc_named = m.has_code({Function::arc_cw, Function::arc_ccw, Function::thread, Function::drilling});
   const bool moves = m.has_axis_words() || m.has('I') || m.has('J') || m.has('K') || m.has('R');
   if (!arc_named && !moves) return {};
   return fail(alarm(AlarmId::lead_mode, call.where, call.row->code));
 }
 
-void end_lead(BlockContext& m) {
+void end_tip_control(BlockContext& m) {
   FiveAxisState& five = five_of(m);
-  five.lead = TipControl::none;
+  five.tip_control = TipControl::none;
   five.posture = false;
-  five.lead_length = 0;
+  five.tip_length = 0;
   five.normal = {};
   if (m.modal.work_zero < all_systems) five.positioned = 0;
 }
@@ -115,10 +115,10 @@ void reset_five_axis(BlockContext& m) {
   five_of(m) = {};
 }
 
-bool leads_lines(const BlockContext& m) {
+bool controls_lines(const BlockContext& m) {
   const FiveAxisState& five = five_of(m);
-  if (controls_tip(five.lead) && (five.posture || leads_contact(five.lead))) return true;
-  return fanuc_of(m).settings.tilts_tool && (five.lead != TipControl::none || m.modal.work_zero >= all_systems);
+  if (controls_tip(five.tip_control) && (five.posture || controls_contact(five.tip_control))) return true;
+  return fanuc_of(m).settings.tilts_tool && (five.tip_control != TipControl::none || m.modal.work_zero >= all_systems);
 }
 
 Status tip_control_line(Emitter& m, const Call& call, MotionKind kind) {
@@ -130,15 +130,15 @@ Status tip_control_line(Emitter& m, const Call& call, MotionKind kind) {
   note_positioned(m, named);
   const Axes from = m.position.work;
   KADR_TRY(m.straight(kind, to, named));
-  return lead_motion(m, std::get<Motion>(m.batch->back().what), from);
+  return control_tip(m, std::get<Motion>(m.batch->back().what), from);
 }
 
 /// Completes a motion. Tool posture control keeps the tool's direction in the plane, or on the cone, that contains the directions at both
 /// ends of the motion (25.16). Cutting point control places the tip so that the tool touches the programmed point (25.17).
-Status lead_motion(BlockContext& m, Motion& motion, const Axes& from) {
+Status control_tip(BlockContext& m, Motion& motion, const Axes& from) {
   const FiveAxisState& five = five_of(m);
   const FiveAxisTransform* const space = space_of(m);
-  if (space == nullptr || !controls_tip(five.lead) || (!five.posture && !leads_contact(five.lead))) return {};
+  if (space == nullptr || !controls_tip(five.tip_control) || (!five.posture && !controls_contact(five.tip_control))) return {};
   FiveAxisTipPath::Data data;
   data.space = std::static_pointer_cast<const FiveAxisTransform>(std::static_pointer_cast<const WorkTransform>(m.frames.space));
   data.begins = std::exchange(five_of(m).begins, false);
@@ -149,29 +149,29 @@ Status lead_motion(BlockContext& m, Motion& motion, const Axes& from) {
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if ((motion.detail->rolled >> a & 1u) != 0) data.end[a] = from[a] + motion.detail->travel[a];
   if (is_arc(motion.kind)) data.cone = cone_of(motion, *space);
-  if (leads_contact(five.lead)) {
-    if (five.normal == Vec3{}) return fail(alarm(AlarmId::normal_missing, m.block->where, code_of(five.lead)));
+  if (controls_contact(five.tip_control)) {
+    if (five.normal == Vec3{}) return fail(alarm(AlarmId::normal_missing, m.block->where, code_of(five.tip_control)));
     data.contact = true;
     data.radius = five.radius;
     data.corner = five.corner;
     data.normal = fanuc_of(m).normal_before == Vec3{} ? five.normal : fanuc_of(m).normal_before;
     data.end_normal = five.normal;
   }
-  auto way = std::make_shared<FiveAxisTipPath>(data);
+  auto tip_path = std::make_shared<FiveAxisTipPath>(data);
   if (data.posture) {
-    const auto reached = way->end_of_posture();
-    const RotaryPair wanted = space->rotary(data.end);
+    const auto reached = tip_path->end_of_posture();
+    const RotaryPair programmed = space->rotary(data.end);
     constexpr double same_angle = 0.01;  // degrees; two positions of an axis that differ by less count as equal (25i, INFERRED)
     const auto off = [](double a, double b) { return std::fabs(std::remainder(a - b, 360.0)); };
-    if (!reached || off(reached->first, wanted.first) > same_angle || off(reached->second, wanted.second) > same_angle) {
-      const double tilt = space->data().machine.group == MachineGroup::head_head ? wanted.second : wanted.first;
+    if (!reached || off(reached->first, programmed.first) > same_angle || off(reached->second, programmed.second) > same_angle) {
+      const double tilt = space->data().machine.group == MachineGroup::head_head ? programmed.second : programmed.first;
       return fail(alarm(AlarmId::lead_angle, m.block->where, tilt));
     }
   }
   auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
-  detail->tip_path = std::move(way);
+  detail->tip_path = std::move(tip_path);
   motion.detail = std::move(detail);
-  if (leads_contact(five.lead)) {
+  if (controls_contact(five.tip_control)) {
     const Axes tip = motion.detail->tip_path->at(1, motion.to);
     m.position.machine = m.frames.machine_of(tip);
     motion.machine = m.position.machine;
@@ -189,12 +189,12 @@ using namespace fanuc;
 /// used. In a block without words that move an axis, the new tool length causes no motion; only the reported position changes.
 Status tool_lead(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
-  const TipControl lead = lead_of(call.row->arg);
+  const TipControl tip_control = tip_control_of(call.row->arg);
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
   if (fanuc_of(m).settings.five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (!straight_mode(m)) return fail(alarm(AlarmId::lead_mode, call.where, call.row->code));
-  if (controls_tip(lead)) KADR_TRY(nothing_else(m, call));
-  const auto p = m.has('P') && lead != TipControl::axis ? m.whole('P', 0, 1) : Result<std::uint32_t>(0);
+  if (controls_tip(tip_control)) KADR_TRY(nothing_else(m, call));
+  const auto p = m.has('P') && tip_control != TipControl::axis ? m.whole('P', 0, 1) : Result<std::uint32_t>(0);
   if (!p) return fail(p.error());
   if (m.has('H')) {
     const auto number = offset_number(m, 'H');
@@ -204,14 +204,14 @@ Status tool_lead(Emitter& m, const Call& call) {
   }
   m.modal.turning_lengths = false;
   m.modal.length_sign = 1;
-  if (five.lead != lead) five.positioned = 0;
-  five.lead = lead;
+  if (five.tip_control != tip_control) five.positioned = 0;
+  five.tip_control = tip_control;
   five.posture = *p == 1;
   const std::uint32_t number = m.modal.length_number;
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
   if (number != 0) m.use.note(UseKind::length, number, m.origin, length == 0);
-  register_lead_length(m, number == 0 ? 0 : length);
-  note_lead_radius(m);
+  register_tip_length(m, number == 0 ? 0 : length);
+  note_tip_radius(m);
   const Axes before = m.position.programmed;
   m.change_frames();
   five.begins = true;

@@ -20,7 +20,7 @@ constexpr char vector_letters[] = {'I', 'J', 'K'};
 
 /// Returns the mode of tool centre point control that is in force when the block moves, and the table row of the code in the block that
 /// sets this mode; nullptr if no code of the block sets it.
-std::pair<TipControl, const CodeRow*> lead_of_block(const BlockContext& m) {
+std::pair<TipControl, const CodeRow*> tip_control_of_block(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     const std::int32_t index = w.address == 'G' && w.code >= 0 ? m.def.row_of('G', w.code) : -1;
@@ -35,10 +35,10 @@ std::pair<TipControl, const CodeRow*> lead_of_block(const BlockContext& m) {
                                   : TipControl::contact_vector,
               &row};
   }
-  return {fanuc_of(m).state.five_axis.lead, nullptr};
+  return {fanuc_of(m).state.five_axis.tip_control, nullptr};
 }
 
-std::string_view name_of(TipControl lead) { return lead == TipControl::tip_vector ? "G43.5" : "G43.9"; }
+std::string_view name_of(TipControl tip_control) { return tip_control == TipControl::tip_vector ? "G43.5" : "G43.9"; }
 
 void hide(BlockContext& m, Word& w) {
   w.address = 0;
@@ -75,7 +75,7 @@ Components take_components(BlockContext& m, std::uint32_t from, std::uint32_t to
 }
 
 /// Reads the surface normal ,L2 I J K (25.17).
-Status take_normal(BlockContext& m, TipControl lead) {
+Status take_normal(BlockContext& m, TipControl tip_control) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   fanuc_of(m).normal_before = five.normal;
   const std::uint32_t count = m.block->word_count;
@@ -83,7 +83,7 @@ Status take_normal(BlockContext& m, TipControl lead) {
   while (at < count && m.block->words[at].address != comma_vector) ++at;
   if (at == count) return {};
   Word& mark = m.block->words[at];
-  if (!leads_contact(lead)) return fail(alarm(AlarmId::word_unused, mark.where, m.block->text_of(mark.where)));
+  if (!controls_contact(tip_control)) return fail(alarm(AlarmId::word_unused, mark.where, m.block->text_of(mark.where)));
   if (mark.value != 2) return fail(alarm(AlarmId::value_out_of_range, mark.where, ",L", mark.value));
   const Components normal = take_components(m, at + 1, count);
   if (!normal.any() || length(normal.value) == 0) return fail(alarm(AlarmId::direction_zero, mark.where, ",L2 I J K"));
@@ -96,7 +96,7 @@ Status take_normal(BlockContext& m, TipControl lead) {
 /// Returns `chosen`, or rotary axis positions that avoid a needless swing. Near a singular direction, the tool's direction hardly depends
 /// on the position of one rotary axis. If the control's choice turns this axis far although the axis could stay, the result keeps the axis
 /// where it is. This rule is not from the manual.
-std::optional<RotaryPair> without_rotary_swing(Emitter& m, const Word& where, Vec3 wanted, RotaryPair present,
+std::optional<RotaryPair> without_rotary_swing(Emitter& m, const Word& where, Vec3 target, RotaryPair present,
                                                const std::optional<RotaryPair>& chosen) {
   constexpr double far = 20;  // degrees
   const Fanuc& fanuc = fanuc_of(m);
@@ -104,16 +104,16 @@ std::optional<RotaryPair> without_rotary_swing(Emitter& m, const Word& where, Ve
   if (!(fanuc.singular > 0)) return chosen;
   const bool head = d.machine.group == MachineGroup::head_head;
   if (chosen && std::fabs(head ? chosen->first - present.first : chosen->second - present.second) < far) return chosen;
-  const auto kept = d.machine.kept(wanted, present, d.measured);
-  if (!kept || kept->off > fanuc.singular) return chosen;
+  const auto moved = d.machine.with_one_axis_moved(target, present, d.measured);
+  if (!moved || moved->off > fanuc.singular) return chosen;
   constexpr double rounding = 1e-9;  // degrees
-  const int axis = kept->first_stays ? d.machine.first.axis : d.machine.second.axis;
-  if (kept->off > rounding) m.warn(warning(AlarmId::axis_kept, where.where, m.axis_names[static_cast<std::size_t>(axis)], kept->off));
-  return kept->at;
+  const int axis = moved->first_stays ? d.machine.first.axis : d.machine.second.axis;
+  if (moved->off > rounding) m.warn(warning(AlarmId::axis_kept, where.where, m.axis_names[static_cast<std::size_t>(axis)], moved->off));
+  return moved->at;
 }
 
 /// Replaces the first two of the words I J K by words of the rotary axes, so that the block positions the rotary axes.
-Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32_t until) {
+Status direct(Emitter& m, TipControl tip_control, const Components& vector, std::uint32_t until) {
   Fanuc& fanuc = fanuc_of(m);
   const FiveAxis& machine = fanuc.settings.five_axis;
   if (machine.group == MachineGroup::none) return {};  // no alarm here: the code that sets the mode raises it
@@ -121,10 +121,10 @@ Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32
   const FiveAxisTransform& space = *space_of(m);
   FiveAxisTransformData d = space.data();
   const RotaryPair present = space.rotary(m.position.machine);
-  const Vec3 wanted = unit(vector.value);
-  const bool goes_on = fanuc.state.five_axis.posture && fanuc.state.five_axis.lead == lead;
+  const Vec3 target = unit(vector.value);
+  const bool goes_on = fanuc.state.five_axis.posture && fanuc.state.five_axis.tip_control == tip_control;
   const bool leans = fanuc.settings.tilts_tool && !(d.basic == Mat3());
-  const Vec3 on_machine = leans ? d.basic * wanted : wanted;
+  const Vec3 on_machine = leans ? d.basic * target : target;
   std::optional<RotaryPair> at;
   if (goes_on) {
     // Two opposite tool directions do not define a plane in which the tool could rotate from one direction to the other (25i).
@@ -134,9 +134,9 @@ Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32
   } else {
     at = without_rotary_swing(m, *vector.first, on_machine, present, d.machine.chosen(on_machine, present, d.measured));
   }
-  if (!at) return fail(alarm(AlarmId::direction_unreachable, vector.first->where, wanted.x, wanted.y, wanted.z));
+  if (!at) return fail(alarm(AlarmId::direction_unreachable, vector.first->where, target.x, target.y, target.z));
   RotaryPair programmed = *at;
-  if (leans) programmed = d.machine.continued(wanted, *at, d.measured).value_or(*at);
+  if (leans) programmed = d.machine.continued(target, *at, d.measured).value_or(*at);
   const int axes[] = {machine.first.axis, machine.second.axis};
   const double targets[] = {programmed.first, programmed.second};
   std::size_t given = 0;
@@ -159,26 +159,26 @@ Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32
 }
 
 /// Executes the words I J K of G43.5, G43.9, which give the tool's direction. Words of the rotary axes raise an alarm (25.14).
-Status take_direction(Emitter& m, TipControl lead) {
+Status take_direction(Emitter& m, TipControl tip_control) {
   const FiveAxis& machine = fanuc_of(m).settings.five_axis;
   for (const int axis : {machine.first.axis, machine.second.axis}) {
     if (axis < 0) continue;
     const char letter = m.letters.axis_letter[static_cast<std::size_t>(axis)];
     if (letter != 0 && m.has(letter) &&
         !m.has_code({Function::smoothing, Function::set_tables, Function::machine_move, Function::reference_return}))
-      return fail(alarm(AlarmId::lead_words, m.where(letter), name_of(lead), letter));
+      return fail(alarm(AlarmId::lead_words, m.where(letter), name_of(tip_control), letter));
   }
   if (has_other_taker(m)) return {};
   const Components vector = take_components(m, 0, m.block->word_count);
   if (!vector.any()) return {};
   if (!m.has_code({Function::tool_lead}) && space_of(m) == nullptr) return {};
-  KADR_TRY(direct(m, lead, vector, m.block->word_count));
+  KADR_TRY(direct(m, tip_control, vector, m.block->word_count));
   return {};
 }
 
 /// Raises an alarm for codes that the manual does not describe together with tool centre point control (INFERRED).
-Status nothing_refused(const BlockContext& m, TipControl lead) {
-  if (!controls_tip(lead)) return {};
+Status nothing_refused(const BlockContext& m, TipControl tip_control) {
+  if (!controls_tip(tip_control)) return {};
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     const std::int32_t index = w.address == 'G' && w.code >= 0 ? m.def.row_of('G', w.code) : -1;
@@ -205,12 +205,12 @@ Status nothing_refused(const BlockContext& m, TipControl lead) {
       case Function::measure_length: break;
       default: continue;
     }
-    const std::int32_t code = lead == TipControl::tip          ? 43.4_g
-                              : lead == TipControl::tip_vector ? 43.5_g
-                              : lead == TipControl::contact    ? 43.8_g
-                                                               : 43.9_g;
-    const CodeRow& lead_row = m.def.codes[static_cast<std::size_t>(m.def.row_of('G', code))];
-    return fail(alarm(AlarmId::lead_state, w.where, row.code, lead_row.code));
+    const std::int32_t code = tip_control == TipControl::tip          ? 43.4_g
+                              : tip_control == TipControl::tip_vector ? 43.5_g
+                              : tip_control == TipControl::contact    ? 43.8_g
+                                                                      : 43.9_g;
+    const CodeRow& tip_control_row = m.def.codes[static_cast<std::size_t>(m.def.row_of('G', code))];
+    return fail(alarm(AlarmId::lead_state, w.where, row.code, tip_control_row.code));
   }
   return {};
 }
@@ -219,22 +219,22 @@ Status nothing_refused(const BlockContext& m, TipControl lead) {
 
 bool watches_words(const BlockContext& m) {
   const FiveAxisState& five = fanuc_of(m).state.five_axis;
-  return five.plane.kind != 0 || by_vector(five.lead) || leads_contact(five.lead) || five.posture;
+  return five.plane.kind != 0 || by_vector(five.tip_control) || controls_contact(five.tip_control) || five.posture;
 }
 
-bool watches_codes(const BlockContext& m) { return controls_tip(fanuc_of(m).state.five_axis.lead) && m.has('G'); }
+bool watches_codes(const BlockContext& m) { return controls_tip(fanuc_of(m).state.five_axis.tip_control) && m.has('G'); }
 
 Status five_axis_block(Emitter& m) {
   const FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.plane.kind != 0) KADR_TRY(finish_plane(m));
   const bool has_comma = (m.block->letters & letter_bit(comma_vector)) != 0;
   const bool coded = m.has('G') && m.has_code({Function::tool_lead});
-  if (!coded && !has_comma && !controls_tip(five.lead)) return {};
-  const auto [lead, row] = lead_of_block(m);
+  if (!coded && !has_comma && !controls_tip(five.tip_control)) return {};
+  const auto [tip_control, row] = tip_control_of_block(m);
   (void)row;
-  if (!coded) KADR_TRY(nothing_refused(m, five.lead));
-  KADR_TRY(take_normal(m, lead));
-  if (by_vector(lead)) KADR_TRY(take_direction(m, lead));
+  if (!coded) KADR_TRY(nothing_refused(m, five.tip_control));
+  KADR_TRY(take_normal(m, tip_control));
+  if (by_vector(tip_control)) KADR_TRY(take_direction(m, tip_control));
   if (m.block->altered) m.note_addresses();
   return {};
 }

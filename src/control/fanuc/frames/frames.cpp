@@ -105,10 +105,10 @@ double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) 
   double linear = 0, rotary = 0;  // squares of the distances: of the linear axes in mm², of the rotary axes in degrees²
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const bool rolls = motion.detail && (motion.detail->rolled >> a & 1u) != 0;
-    const double way = rolls ? motion.detail->travel[a] : motion.to[a] - from[a];
-    ((m.def.rotary >> a & 1u) != 0 ? rotary : linear) += way * way;
+    const double travel = rolls ? motion.detail->travel[a] : motion.to[a] - from[a];
+    ((m.def.rotary >> a & 1u) != 0 ? rotary : linear) += travel * travel;
   }
-  if (rotary == 0 || m.modal.surface != PathSurface::plane || controls_tip(fanuc_of(m).state.five_axis.lead)) return m.modal.feed;
+  if (rotary == 0 || m.modal.surface != PathSurface::plane || controls_tip(fanuc_of(m).state.five_axis.tip_control)) return m.modal.feed;
   const double feed = m.modal.feed / mm_per_inch;  // inches per minute, or degrees per minute
   return feed * std::sqrt((linear + rotary) / (linear / (mm_per_inch * mm_per_inch) + rotary));
 }
@@ -141,7 +141,7 @@ void note_motion(Emitter& m, Motion& motion) {
   motion.as_programmed = plain && motion.kind != MotionKind::probe;
   if (!plain && fanuc.state.five_axis.frame != SpaceFrame::none) add_programmed_end(m, motion);
   if (motion.kind != MotionKind::thread) fanuc.state.in_thread = false;
-  const bool tip = controls_tip(fanuc.state.five_axis.lead);  // 25.14: the programmed feed is the feed of the tool tip
+  const bool tip = controls_tip(fanuc.state.five_axis.tip_control);  // 25.14: the programmed feed is the feed of the tool tip
   // 4.2: the feed is along a path in which a millimetre and a degree count alike
   motion.along = tip ? FeedAlong::path : FeedAlong::all_axes;
   // The bits of #3004 (23.1.10, 6.3.4): M_FHD inhibits feed hold; M_OV inhibits override and feed hold, as G63 does; M_EST inhibits exact

@@ -131,7 +131,7 @@ class Arc {
     KADR_TRY(m_.feed_known(call_.where));
     const Axes from = m_.position.work;
     KADR_TRY(m_.straight(MotionKind::feed, end_, named_));
-    return lead_motion(m_, std::get<Motion>(m_.batch->back().what), from);
+    return control_tip(m_, std::get<Motion>(m_.batch->back().what), from);
   }
 
   Status straight_line() {
@@ -195,7 +195,7 @@ class Arc {
     // the usual case: the block has nothing to transform
     if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {
       const Axes from = m_.position.work;
-      return lead_motion(m_, move(arc, end_), from);
+      return control_tip(m_, move(arc, end_), from);
     }
     const Axes before = m_.position.programmed;
     Axes work = transformed(m_, end_);
@@ -206,7 +206,7 @@ class Arc {
           polar_work(m_, work, fanuc_of(m_).state.surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
     const Axes from = m_.position.work;
     Motion& motion = move(arc, work);
-    KADR_TRY(lead_motion(m_, motion, from));
+    KADR_TRY(control_tip(m_, motion, from));
     if (m_.modal.surface == PathSurface::cylinder) motion.center = in_axes(arc.center);
     if (m_.modal.surface != PathSurface::plane) finish_surface(m_, motion, before);
     return {};
@@ -220,7 +220,7 @@ class Arc {
     m_.set_feed(motion);
     motion.center = arc.center;
     motion.turns = arc.turns;
-    if (!controls_tip(fanuc_of(m_).state.five_axis.lead))
+    if (!controls_tip(fanuc_of(m_).state.five_axis.tip_control))
       motion.along = fanuc_of(m_).settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
     if (turns_evenly(arc)) motion.along = FeedAlong::turn;
     return motion;
@@ -232,7 +232,7 @@ class Arc {
   bool turns_evenly(const PlaneArc& arc) const {
     const AxisMask in_plane = AxisMask{1} << plane_.first | AxisMask{1} << plane_.second;
     const bool flat = (named_ & ~in_plane) == 0 && m_.modal.surface == PathSurface::plane;
-    return m_.def.behaviour.arc_angle_even && flat && !m_.has('L') && !controls_tip(fanuc_of(m_).state.five_axis.lead) &&
+    return m_.def.behaviour.arc_angle_even && flat && !m_.has('L') && !controls_tip(fanuc_of(m_).state.five_axis.tip_control) &&
            radius_changes(from_, to_, arc.center);
   }
 

@@ -21,8 +21,8 @@ CornerData in_work(const BlockContext& m, CornerData c) {
   if (t.identity) return c;
   const PlaneAxes& plane = m.modal.axes;
   // direction of the line as a vector, scaled in the same way as the line
-  const Vec2 way = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);
-  if (const double size = length(way); size > 0) c.direction = 1 / size * way;
+  const Vec2 direction = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);
+  if (const double size = length(direction); size > 0) c.direction = 1 / size * direction;
   c.chamfer *= t.corner_scale(plane);
   c.rounding *= t.corner_scale(plane);
   c.radius *= t.radius_scale(plane);
@@ -38,7 +38,7 @@ Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words,
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::intersection_needs_side, where, ",A"));
   if (m.modal.polar_data) return fail(alarm(AlarmId::not_together, where, "G16", ",A"));
   const SinCos angle = sincos_deg(m.value(comma_angle));
-  contour.on = words.both() ? SupportingCurve::line : SupportingCurve::way;
+  contour.on = words.both() ? SupportingCurve::line : SupportingCurve::ray;
   contour.direction = {angle.cos, angle.sin};
   contour.farther = m.value('Q') > 0;  // 17.3 rule 6. INFERRED: a missing Q acts like a negative Q
   return {};
@@ -70,9 +70,9 @@ Status end_by_angle(const BlockContext& m, Axes& to, AxisMask& named) {
   const std::size_t given = words.first ? m.modal.axes.first : m.modal.axes.second;
   const std::size_t other = words.first ? m.modal.axes.second : m.modal.axes.first;
   const double along = words.first ? angle.cos : angle.sin, across = words.first ? angle.sin : angle.cos;
-  const double way = to[given] - m.position.programmed[given];
-  if (way != 0 && along == 0) return fail(alarm(AlarmId::angle_meets_not, where, m.value(comma_angle), m.axis_names[given]));
-  if (way != 0) to[other] += way * across / along;
+  const double travel = to[given] - m.position.programmed[given];
+  if (travel != 0 && along == 0) return fail(alarm(AlarmId::angle_meets_not, where, m.value(comma_angle), m.axis_names[given]));
+  if (travel != 0) to[other] += travel * across / along;
   named |= AxisMask{1} << other;
   if (!(std::fabs(to[other]) <= farthest))
     return fail(alarm(AlarmId::position_out_of_range, where, std::string_view(m.axis_names[other]), to[other]));

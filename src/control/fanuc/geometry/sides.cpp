@@ -26,9 +26,9 @@ void note_side(BlockContext& m, Motion& motion) {
   motion.side_step = state.side_step;
   if (fanuc_of(m).holds_vector && motion.side_step == SideStep::none) motion.side_step = SideStep::holds;
   state.compensates = motion.side_step != SideStep::ends;
-  if (motion.side_step != SideStep::none && state.way) detail_of(m, motion).way = state.way;
+  if (motion.side_step != SideStep::none && state.direction_vector) detail_of(m, motion).direction_vector = state.direction_vector;
   state.side_step = SideStep::none;
-  state.way.reset();
+  state.direction_vector.reset();
 }
 
 void note_skip_mark(Emitter& m) {
@@ -42,7 +42,7 @@ void end_side_block(Emitter& m) {
   m.emit(CompensationBreak{true});
   state.side_step = SideStep::none;
   state.compensates = false;
-  state.way.reset();
+  state.direction_vector.reset();
 }
 
 std::optional<Vec2> plane_direction(const BlockContext& m) {
@@ -51,8 +51,8 @@ std::optional<Vec2> plane_direction(const BlockContext& m) {
   const auto& pair = of_plane[m.modal.plane == Plane::xy ? 0 : m.modal.plane == Plane::zx ? 1 : 2];
   const char first = letters[pair[0]], second = letters[pair[1]];
   if (!m.has(first) && !m.has(second)) return std::nullopt;
-  const Vec2 way = m.transform.direction({m.length_value(first), m.length_value(second)}, m.modal.axes);
-  return way == Vec2{} ? std::nullopt : std::optional(way);
+  const Vec2 direction = m.transform.direction({m.length_value(first), m.length_value(second)}, m.modal.axes);
+  return direction == Vec2{} ? std::nullopt : std::optional(direction);
 }
 
 }  // namespace kadr::fanuc

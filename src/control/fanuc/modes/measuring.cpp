@@ -201,13 +201,13 @@ namespace {
 /// Corrects the offset that H selected by the difference q − Q (position of the signal less expected position), as TMW and TCA command.
 /// INFERRED: the new value takes effect with the next H.
 Status correct_length(BlockContext& m, const Measurement& of, double there) {
-  const double way = of.expected - there;
-  if (!(std::fabs(way) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));
+  const double deviation = of.expected - there;
+  if (!(std::fabs(deviation) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));
   m.journal.keep(m.tables.offsets[of.offset]);
   ToolOffset& offset = m.tables.offsets[of.offset];
   double& corrected = fanuc_of(m).settings.length_wear ? offset.length_wear : offset.length;
   // 5.3: for an axis in diameter programming the offset table has diameters
-  const double entered = is_diameter(m, of.axis) ? 2 * way : way;
+  const double entered = is_diameter(m, of.axis) ? 2 * deviation : deviation;
   corrected += fanuc_of(m).settings.length_adds ? entered : -entered;
   fanuc_of(m).changed_offsets.push_back(of.offset);
   return {};

@@ -198,9 +198,9 @@ Status spindle_axis_word(Emitter& m, const Call& call) {
     return {};
   }
   if (!s.referenced) return fail(alarm(AlarmId::spindle_not_referenced, call.where, std::string_view(fanuc::name_of_spindle(m, number))));
-  double way = value - s.angle;
-  way -= 360 * std::floor(way / 360);
-  fanuc::turn(m, number, way <= 180 ? way : way - 360, true);
+  double degrees = value - s.angle;
+  degrees -= 360 * std::floor(degrees / 360);
+  fanuc::turn(m, number, degrees <= 180 ? degrees : degrees - 360, true);
   return {};
 }
 
@@ -253,8 +253,8 @@ Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
       KADR_TRY(loop_closed(m, n, where));
       if (!spindle(n).referenced)  // 11.7.3: the program must execute M19 before the first indexing code
         return fail(alarm(AlarmId::spindle_not_referenced, where, std::string_view(name_of_spindle(m, n))));
-      const double way = (code - s.index_from + 1) * s.index_angle;
-      turn(m, n, s.index_negative ? -way : way, false);
+      const double degrees = (code - s.index_from + 1) * s.index_angle;
+      turn(m, n, s.index_negative ? -degrees : degrees, false);
       return {};
     }
   }

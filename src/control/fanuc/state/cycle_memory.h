@@ -48,10 +48,10 @@ struct TurningMemory {
 
 /// A contour that G70.7 executes block by block: where the contour ends, and the point to which the tool returns afterwards.
 struct Finishing {
-  std::size_t depth = 0;     // number of open calls during the blocks of the contour
-  std::uint64_t behind = 0;  // offset in the file just after the contour's last block
-  Vec2 start;                // point in the plane to which the tool returns, in programmed coordinates, mm
-  Origin origin;             // location of the block with G70.7
+  std::size_t depth = 0;          // number of open calls during the blocks of the contour
+  std::uint64_t contour_end = 0;  // offset in the file just after the contour's last block
+  Vec2 start;                     // point in the plane to which the tool returns, in programmed coordinates, mm
+  Origin origin;                  // location of the block with G70.7
 };
 
 /// The purpose of the probe motion in progress. The measurement is complete when the probe's answer has come.

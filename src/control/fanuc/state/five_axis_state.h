@@ -20,9 +20,11 @@ enum class TipControl : std::uint8_t {
   contact,         // G43.8: cutting point control; rotary axes are programmed
   contact_vector,  // G43.9: cutting point control; the tool's direction is programmed
 };
-constexpr bool controls_tip(TipControl lead) { return lead >= TipControl::tip; }
-constexpr bool by_vector(TipControl lead) { return lead == TipControl::tip_vector || lead == TipControl::contact_vector; }
-constexpr bool leads_contact(TipControl lead) { return lead >= TipControl::contact; }
+constexpr bool controls_tip(TipControl tip_control) { return tip_control >= TipControl::tip; }
+constexpr bool by_vector(TipControl tip_control) {
+  return tip_control == TipControl::tip_vector || tip_control == TipControl::contact_vector;
+}
+constexpr bool controls_contact(TipControl tip_control) { return tip_control >= TipControl::contact; }
 
 /// The kind of programming frame in space (modal group 18). none: G69.1 is in force; turned: one G68.1 is in force; turned_twice: two G68.1
 /// are in force; plane: G68.2 is in force.
@@ -38,10 +40,10 @@ struct PlaneBlocks {
 };
 
 struct FiveAxisState {
-  TipControl lead = TipControl::none;
-  bool begins = false;     // tool centre point control takes effect with the next motion (25h)
-  bool posture = false;    // tool posture control is on: P1 was in the block of G43.4 to G43.9
-  double lead_length = 0;  // tool length in mm that H has put into force
+  TipControl tip_control = TipControl::none;
+  bool begins = false;    // tool centre point control takes effect with the next motion (25h)
+  bool posture = false;   // tool posture control is on: P1 was in the block of G43.4 to G43.9
+  double tip_length = 0;  // tool length in mm that H has put into force
   SpaceFrame frame = SpaceFrame::none;
   Mat3 turn;           // rotation of the programming frame
   Vec3 origin;         // origin of the programming frame, mm

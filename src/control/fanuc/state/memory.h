@@ -57,7 +57,7 @@ struct UndoableState : MotionMemory {
   DrillingMemory drilling;
   TurningMemory turning;
   double tool_radius = 0;                // tool radius in mm of offset D, stored when D was programmed (15.1)
-  std::optional<Vec2> way;               // direction vector I J K of G41, G42, G40
+  std::optional<Vec2> direction_vector;  // direction vector I J K of G41, G42, G40
   CompensationCheck compensation_check;  // the compensation settings that were sent to the room `path` last
   FiveAxisState five_axis;
 };

@@ -25,14 +25,14 @@ int axis_of(const BlockContext& m, std::uint32_t number) {
 }
 
 /// Converts a position from mm to the value that the program reads, which has the unit in force and is a diameter in diameter programming.
-/// kept() does the inverse.
+/// stored_value() does the inverse.
 double shown(const BlockContext& m, int axis, double mm) {
   if ((m.def.rotary >> axis & 1u) != 0) return mm;
   const double v = (m.modal.diameter >> axis & 1u) != 0 ? 2 * mm : mm;
   return m.modal.inch ? v / mm_per_inch : v;
 }
 
-double kept(const BlockContext& m, int axis, double value) {
+double stored_value(const BlockContext& m, int axis, double value) {
   if ((m.def.rotary >> axis & 1u) != 0) return value;
   const double mm = m.modal.inch ? value * mm_per_inch : value;
   return (m.modal.diameter >> axis & 1u) != 0 ? mm / 2 : mm;
@@ -191,7 +191,7 @@ Result<bool> Fanuc::write_table(Emitter& m, const FoundVariable& f, double value
   const int axis = axis_of(m, f.index);
   if (is_zero(kind) && axis < 0) return true;  // the value of an axis of another channel is ignored
   if (!(std::fabs(value) <= farthest)) return fail(alarm(AlarmId::value_limit, where, value));
-  (is_rotation(kind) ? *rotation_field(m, f) : *zero_field(m, f, axis)) = is_rotation(kind) ? value : kept(m, axis, value);
+  (is_rotation(kind) ? *rotation_field(m, f) : *zero_field(m, f, axis)) = is_rotation(kind) ? value : stored_value(m, axis, value);
   tables_changed = true;
   m.change_frames();
   return true;

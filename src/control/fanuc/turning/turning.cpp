@@ -51,7 +51,7 @@ Status take_r(const BlockContext& m, double& to) {
 /// Reads the first block of G71.7 (G71.7 W5 R1) or G72.7 (G72.7 V5 R1): the depth of a pass along the infeed axis (19.A 4), and the
 /// retract.
 Status first_of_rough(BlockContext& m, const Call& call) {
-  TurningMemory& kept = fanuc_of(m).state.turning;
+  TurningMemory& memory = fanuc_of(m).state.turning;
   const std::size_t infeed = call.row->arg == 71.7_g ? 1 : 0;
   const auto d = distances(m);
   if (!d) return fail(d.error());
@@ -61,23 +61,23 @@ Status first_of_rough(BlockContext& m, const Call& call) {
   if (depth == nullptr && !m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, infeed), call.row->code));
   if (depth != nullptr) {
     if (!(depth->value > 0)) return fail(alarm(AlarmId::value_out_of_range, depth->where, depth->written, depth->value));
-    kept.depth = d->value[infeed];
+    memory.depth = d->value[infeed];
   }
-  return take_r(m, kept.back);
+  return take_r(m, memory.back);
 }
 
 /// Reads the first block of G73.7 (G73.7 U3 W3 R4): the offset of the first pass and the number of passes.
 Status first_of_pattern(BlockContext& m) {
   constexpr double max_passes = 9999;
-  TurningMemory& kept = fanuc_of(m).state.turning;
+  TurningMemory& memory = fanuc_of(m).state.turning;
   const auto d = distances(m);
   if (!d) return fail(d.error());
-  if (d->word[0] != nullptr) kept.relief.x = d->value[0];
-  if (d->word[1] != nullptr) kept.relief.y = d->value[1];
+  if (d->word[0] != nullptr) memory.relief.x = d->value[0];
+  if (d->word[1] != nullptr) memory.relief.y = d->value[1];
   if (!m.has('R')) return {};
   const auto passes = m.whole('R', 1, max_passes);
   if (!passes) return fail(passes.error());
-  kept.passes = *passes;
+  memory.passes = *passes;
   return {};
 }
 
@@ -85,7 +85,7 @@ Status first_of_pattern(BlockContext& m) {
 /// depth of a pass, and the finishing allowance.
 Status first_of_thread(BlockContext& m) {
   constexpr double angles[] = {80, 60, 55, 30, 29, 0};
-  TurningMemory& kept = fanuc_of(m).state.turning;
+  TurningMemory& memory = fanuc_of(m).state.turning;
   if (m.has('P')) {
     const auto digits = m.whole('P', 0, 999'999);
     if (!digits) return fail(digits.error());
@@ -93,15 +93,15 @@ Status first_of_thread(BlockContext& m) {
     bool known = false;
     for (const double a : angles) known = known || a == angle;
     if (!known) return out_of_range(m, 'P');
-    kept.finishing = std::max(1u, *digits / 10'000);
-    kept.chamfer = *digits / 100 % 100 / 10.0;
-    kept.tool_angle = angle;
+    memory.finishing = std::max(1u, *digits / 10'000);
+    memory.chamfer = *digits / 100 % 100 / 10.0;
+    memory.tool_angle = angle;
   }
   if (m.has('Q')) {
     if (!(m.value('Q') >= 0)) return out_of_range(m, 'Q');
-    kept.least = m.length_value('Q');
+    memory.least = m.length_value('Q');
   }
-  return take_r(m, kept.allowance);
+  return take_r(m, memory.allowance);
 }
 
 /// Returns true for the first block of a compound cycle. The second block differs: it has words for the contour, the target or the pecks.
@@ -149,29 +149,29 @@ Status possible(const BlockContext& m, const Call& call) {
 
 /// Reads the words of a simple cycle. If a word is missing, its value from an earlier block remains.
 Status take_simple(BlockContext& m, const Call& call) {
-  TurningMemory& kept = fanuc_of(m).state.turning;
+  TurningMemory& memory = fanuc_of(m).state.turning;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());
   for (std::size_t i = 0; i < 2; ++i) {
     if (target->given[i]) {
-      kept.target[i] = i == 0 ? target->to.x : target->to.y;
-      kept.known[i] = true;
+      memory.target[i] = i == 0 ? target->to.x : target->to.y;
+      memory.known[i] = true;
     }
-    if (!kept.known[i]) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, i), call.row->code));
+    if (!memory.known[i]) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, i), call.row->code));
   }
-  if (m.has('R')) kept.taper = m.length_value('R');
-  if (m.has('Q')) kept.start_angle = m.value('Q');
+  if (m.has('R')) memory.taper = m.length_value('R');
+  if (m.has('Q')) memory.start_angle = m.value('Q');
   return {};
 }
 
 /// Executes one G77.7 or G79.7 cycle: infeed, cut, retract, and return to the start point. G77.7 cuts along the first axis of the plane,
 /// G79.7 along the second.
 Status cut_once(Emitter& m, const Call& call) {
-  const TurningMemory& kept = fanuc_of(m).state.turning;
-  const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
+  const TurningMemory& memory = fanuc_of(m).state.turning;
+  const Vec2 s = plane_point(m), t{memory.target[0], memory.target[1]};
   const bool along_first = call.row->arg == 77.7_g;
   KADR_TRY(m.feed_known(call.where));
-  KADR_TRY(go(m, MotionKind::rapid, along_first ? Vec2{s.x, t.y + kept.taper} : Vec2{t.x + kept.taper, s.y}));
+  KADR_TRY(go(m, MotionKind::rapid, along_first ? Vec2{s.x, t.y + memory.taper} : Vec2{t.x + memory.taper, s.y}));
   KADR_TRY(go(m, MotionKind::feed, t));
   KADR_TRY(go(m, MotionKind::feed, along_first ? Vec2{t.x, s.y} : Vec2{s.x, t.y}));
   return go(m, MotionKind::rapid, s);
@@ -179,33 +179,33 @@ Status cut_once(Emitter& m, const Call& call) {
 
 /// G78.7: cuts one pass of a thread. The manual does not give the length of the run-out. INFERRED: there is no run-out.
 Status simple_thread(Emitter& m, const Call& call) {
-  const TurningMemory& kept = fanuc_of(m).state.turning;
+  const TurningMemory& memory = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
-  const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
-  return thread_pass(m, {{s.x, t.y + kept.taper}, t, s, *lead, kept.start_angle, 0});
+  const Vec2 s = plane_point(m), t{memory.target[0], memory.target[1]};
+  return thread_pass(m, {{s.x, t.y + memory.taper}, t, s, *lead, memory.start_angle, 0});
 }
 
 /// G70.7: executes the blocks of the contour as they are programmed (19.A 6).
 class FinishingRun final : public SteppedCycleValue<FinishingRun> {
  public:
-  FinishingRun(Position first, Position behind, std::uint32_t name) : first_(first), behind_(behind), name_(name) {}
+  FinishingRun(Position first, Position after, std::uint32_t name) : first_(first), after_(after), name_(name) {}
 
   Result<bool> next(Emitter&) override { return false; }
 
-  Status lead_on(Interpreter& m) const override {
+  Status finish(Interpreter& m) const override {
     CallFrame frame;
     frame.name = name_;
     frame.left = 1;
     frame.caller = m.origin;
     frame.modal_calls = macro_b_of(m).state.active_modal_calls;
     KADR_TRY(m.flow.call_at(m.program().reader(), first_, frame, m.block->where));
-    fanuc_of(m).finishing.push_back({m.program().depth(), behind_.offset, plane_point(m), m.origin});
+    fanuc_of(m).finishing.push_back({m.program().depth(), after_.offset, plane_point(m), m.origin});
     return {};
   }
 
  private:
-  Position first_, behind_;
+  Position first_, after_;
   std::uint32_t name_;
 };
 
@@ -214,7 +214,7 @@ class FinishingRun final : public SteppedCycleValue<FinishingRun> {
 Status finish(Interpreter& m, const Call& call) {
   const auto contour = find_contour(m, call);
   if (!contour) return fail(contour.error());
-  m.running = std::make_unique<FinishingRun>(contour->first, contour->behind, static_cast<std::uint32_t>(m.value('P')));
+  m.running = std::make_unique<FinishingRun>(contour->first, contour->contour_end, static_cast<std::uint32_t>(m.value('P')));
   return {};
 }
 
@@ -222,7 +222,7 @@ Result<bool> end_contour(Interpreter& m) {
   std::vector<Finishing>& all = fanuc_of(m).finishing;
   // the program has left the contour by M99 or a restart, so the G70.7 of the contour is over
   while (!all.empty() && m.program().depth() < all.back().depth) all.pop_back();
-  if (all.empty() || m.program().depth() != all.back().depth || m.program().position().offset < all.back().behind) return false;
+  if (all.empty() || m.program().depth() != all.back().depth || m.program().position().offset < all.back().contour_end) return false;
   const Finishing ended = all.back();
   all.pop_back();
   const auto left = m.flow.end_subprogram(m.block->where);
@@ -249,12 +249,12 @@ Status turning_cycle(Interpreter& m, const Call& call) {
 Status turning_simple(Emitter& m, const Call& call) {
   m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
   m.modal.motion = MotionMode::linear;
-  fanuc::TurningMemory& kept = fanuc_of(m).state.turning;
-  if (kept.code != call.row->arg) {
-    kept.target = {};
-    kept.known = {};
-    kept.taper = kept.start_angle = 0;
-    kept.code = call.row->arg;
+  fanuc::TurningMemory& memory = fanuc_of(m).state.turning;
+  if (memory.code != call.row->arg) {
+    memory.target = {};
+    memory.known = {};
+    memory.taper = memory.start_angle = 0;
+    memory.code = call.row->arg;
   }
   if (m.block_axes_taken || !m.has_axis_words()) return {};
   KADR_TRY(fanuc::possible(m, call));

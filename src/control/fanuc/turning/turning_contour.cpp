@@ -265,8 +265,8 @@ Result<Contour> read_drawing(Interpreter& m, const Call& call) {
   if (m.transform.distorts(plane) && std::any_of(contour.pieces.begin(), contour.pieces.end(), is_arc))
     return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
   if (!contour.uncompensated.empty()) m.warn(warning(AlarmId::rough_uncompensated, call.where, contour.uncompensated, call.row->code));
-  contour.behind = place->behind;
-  contour.follows = contour.behind.offset > m.program().position().offset;
+  contour.contour_end = place->contour_end;
+  contour.follows = contour.contour_end.offset > m.program().position().offset;
   return contour;
 }
 

@@ -41,8 +41,8 @@ class GrooveRun final : public SteppedCycleValue<GrooveRun> {
   }
 
  private:
-  /// Returns the coordinate in mm that a motion from `a` towards `b` reaches, if the motion is at most `way` mm long.
-  static double toward(double a, double b, double way) { return std::fabs(b - a) <= way + tol::level ? b : a + (b < a ? -way : way); }
+  /// Returns the coordinate in mm that a motion from `a` towards `b` reaches, if the motion is at most `step` mm long.
+  static double toward(double a, double b, double step) { return std::fabs(b - a) <= step + tol::level ? b : a + (b < a ? -step : step); }
 
   Status to(Emitter& m, MotionKind kind, Vec2 at) const { return go(m, kind, job_.deep_first ? at : Vec2{at.y, at.x}); }
 

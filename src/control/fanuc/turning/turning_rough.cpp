@@ -19,7 +19,7 @@ constexpr int halvings = 60;
 
 /// Continues the program after the contour, if the contour comes after the cycle's block. Otherwise does nothing.
 Status jump_after(Interpreter& m, const Contour& contour) {
-  if (contour.follows) m.flow.jump(contour.behind);
+  if (contour.follows) m.flow.jump(contour.contour_end);
   return {};
 }
 
@@ -54,9 +54,9 @@ class Profile {
     p.deepest_ = p.depth(first.to);
     double direction = p.pockets_ ? in.x : 0;
     for (const ContourPiece& piece : p.pieces_) {
-      const double way = p.uv(piece.to).x - p.uv(piece.from).x, depth = p.depth(piece.to);
-      if (direction == 0 && std::fabs(way) > tol::level) direction = way;
-      if (way * direction < 0 && std::fabs(way) > tol::level) return shape(piece);
+      const double travel = p.uv(piece.to).x - p.uv(piece.from).x, depth = p.depth(piece.to);
+      if (direction == 0 && std::fabs(travel) > tol::level) direction = travel;
+      if (travel * direction < 0 && std::fabs(travel) > tol::level) return shape(piece);
       if (!p.pockets_ && depth > p.depth(piece.from) + tol::level) return shape(piece);
       // Only the end of the contour may be above the start point.
       if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);
@@ -145,7 +145,7 @@ class RoughRun final : public SteppedCycleValue<RoughRun> {
     return true;
   }
 
-  Status lead_on(Interpreter& m) const override { return jump_after(m, contour_); }
+  Status finish(Interpreter& m) const override { return jump_after(m, contour_); }
 
  private:
   Status to(Emitter& m, MotionKind kind, double u, double depth) const { return go(m, kind, profile_.at(u, depth) + allowance_); }
@@ -205,7 +205,7 @@ class PatternRun final : public SteppedCycleValue<PatternRun> {
     return false;
   }
 
-  Status lead_on(Interpreter& m) const override { return jump_after(m, contour_); }
+  Status finish(Interpreter& m) const override { return jump_after(m, contour_); }
 
  private:
   Contour contour_;
@@ -220,27 +220,27 @@ class PatternRun final : public SteppedCycleValue<PatternRun> {
 /// G71.7, G72.7 (19.A 4). call.row->arg is 717 for G71.7, with infeed along the second axis of the plane, and 727 for G72.7, with infeed
 /// along the first axis.
 Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
-  const TurningMemory& kept = fanuc_of(m).state.turning;
+  const TurningMemory& memory = fanuc_of(m).state.turning;
   const bool facing = call.row->arg == 72.7_g;
   auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
-  if (!(kept.depth > 0)) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, facing ? 0 : 1), call.row->code));
+  if (!(memory.depth > 0)) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, facing ? 0 : 1), call.row->code));
   auto profile = Profile::of(contour->pieces, facing, call.where);
   if (!profile) return fail(profile.error());
-  if (profile->deepest() / kept.depth > max_cuts)
-    return fail(alarm(AlarmId::value_out_of_range, call.where, letter_of(m, facing ? 0 : 1), kept.depth));
+  if (profile->deepest() / memory.depth > max_cuts)
+    return fail(alarm(AlarmId::value_out_of_range, call.where, letter_of(m, facing ? 0 : 1), memory.depth));
   KADR_TRY(m.feed_known(call.where));
-  m.running = std::make_unique<RoughRun>(std::move(*contour), std::move(*profile), allowance, kept);
+  m.running = std::make_unique<RoughRun>(std::move(*contour), std::move(*profile), allowance, memory);
   return {};
 }
 
 Status pattern(Interpreter& m, const Call& call, Vec2 allowance) {
-  const TurningMemory& kept = fanuc_of(m).state.turning;
+  const TurningMemory& memory = fanuc_of(m).state.turning;
   auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
-  if (kept.passes == 0) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
+  if (memory.passes == 0) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
   KADR_TRY(m.feed_known(call.where));
-  m.running = std::make_unique<PatternRun>(std::move(*contour), allowance, kept.relief, kept.passes);
+  m.running = std::make_unique<PatternRun>(std::move(*contour), allowance, memory.relief, memory.passes);
   return {};
 }
 

@@ -70,8 +70,8 @@ class ThreadRun final : public SteppedCycleValue<ThreadRun> {
     const double level = t.y + away * (job_.height - depth_);
     const SinCos half = sincos_deg(job_.data.tool_angle / 2);
     const double shift = depth_ * half.sin / half.cos;
-    const double way = std::fabs(s.x - t.x);
-    const double taper = job_.taper * (way + shift) / way;
+    const double thread_length = std::fabs(s.x - t.x);
+    const double taper = job_.taper * (thread_length + shift) / thread_length;
     return {{s.x + back * shift, level + taper}, {t.x, level}, s, job_.lead, 0, job_.chamfer};
   }
 
@@ -86,10 +86,10 @@ class ThreadRun final : public SteppedCycleValue<ThreadRun> {
 Status thread_pass(Emitter& m, const ThreadPass& pass) {
   fanuc_of(m).state.in_thread = false;
   KADR_TRY(go(m, MotionKind::rapid, pass.from));
-  const Vec2 way = pass.to - pass.from;
-  double out = std::min(pass.chamfer, std::fabs(way.x));
+  const Vec2 delta = pass.to - pass.from;
+  double out = std::min(pass.chamfer, std::fabs(delta.x));
   if (out > tol::level) {
-    const Vec2 begin = pass.from + (1 - out / std::fabs(way.x)) * way;
+    const Vec2 begin = pass.from + (1 - out / std::fabs(delta.x)) * delta;
     const double away = pass.start.y < begin.y ? -1 : 1;
     out = std::min(out, std::fabs(pass.start.y - begin.y));
     KADR_TRY(cut_thread(m, begin, pass.lead, pass.angle));

@@ -66,7 +66,7 @@ void register_length(BlockContext& m, std::uint32_t number) {
   if (m.modal.turning_lengths) return register_turning(m, number);
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
   if (number != 0) m.use.note(UseKind::length, number, m.origin, length == 0);
-  if (fanuc_of(m).state.five_axis.lead != fanuc::TipControl::none) return fanuc::register_lead_length(m, number == 0 ? 0 : length);
+  if (fanuc_of(m).state.five_axis.tip_control != fanuc::TipControl::none) return fanuc::register_tip_length(m, number == 0 ? 0 : length);
   const AxisMask axes = length_axes(m);
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * shift_by(m, a, length);
@@ -96,10 +96,10 @@ Status length_comp(Emitter& m, const Call& call) {
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
   const bool turning = call.row->arg == 43.7_g;
   if (turning && !fanuc_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
-  if (call.row->arg == 0) KADR_TRY(fanuc::may_end_lead(m, call));
+  if (call.row->arg == 0) KADR_TRY(fanuc::may_end_tip_control(m, call));
   if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: the lengths in X and Y end, because offsets for milling have none
   m.modal.turning_lengths = turning;
-  fanuc::end_lead(m);
+  fanuc::end_tip_control(m);
   if (call.row->arg == 0) {
     m.modal.length_sign = 0;
     m.modal.lengths = {};
@@ -133,7 +133,7 @@ Status length_number(Emitter& m, const Call& call) {
   m.modal.length_number = *number;
   macro_b_of(m).state.words.h = *number;
   if (m.modal.length_sign == 0) return {};
-  if (changes && !m.modal.turning_lengths && fanuc_of(m).state.five_axis.lead == fanuc::TipControl::none && length_axes(m) == 0)
+  if (changes && !m.modal.turning_lengths && fanuc_of(m).state.five_axis.tip_control == fanuc::TipControl::none && length_axes(m) == 0)
     m.warn(warning(AlarmId::length_no_axis, call.where, m.block->text_of(call.where)));
   register_length(m, *number);
   m.change_frames();
@@ -146,7 +146,7 @@ Status radius_number(Emitter& m, const Call&) {
   m.modal.offset_number = *number;
   macro_b_of(m).state.words.d = *number;
   fanuc_of(m).state.tool_radius = m.radius_in_force();
-  fanuc::note_lead_radius(m);
+  fanuc::note_tip_radius(m);
   return {};
 }
 
@@ -165,8 +165,8 @@ Status radius_side(Emitter& m, const Call& call) {
     if (moves && state.side_step == SideStep::ends) return fail(alarm(AlarmId::compensation_ends_in_arc, call.where));
     if (moves && state.side_step == SideStep::begins) return fail(alarm(AlarmId::compensation_begins_in_arc, call.where, call.row->code));
   }
-  state.way.reset();
-  if (const auto way = fanuc::plane_direction(m)) state.way = *way;
+  state.direction_vector.reset();
+  if (const auto direction = fanuc::plane_direction(m)) state.direction_vector = *direction;
   m.modal.radius_side = side;
   if (state.side_step == SideStep::begins && fanuc_of(m).settings.compensation_check != state.compensation_check) {
     state.compensation_check = fanuc_of(m).settings.compensation_check;

@@ -85,8 +85,8 @@ double roll_travel(const AxisSettings& axis, double c, double programmed, bool i
     const double d = rolled_position(programmed - c, period);
     return d <= period / 2 ? d : d - period;
   }
-  const double way = programmed - c;
-  return way - period * std::trunc(way / period);
+  const double travel = programmed - c;
+  return travel - period * std::trunc(travel / period);
 }
 
 namespace {

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns true if the path, with symbolic links followed, is in the folder or in a folder below it.
-bool lies_in(const fs::path& path, const fs::path& folder) {
+bool is_within(const fs::path& path, const fs::path& folder) {
   std::error_code error, other;
   const fs::path real = fs::canonical(path, error);
   const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, other);
@@ -33,7 +33,7 @@ std::optional<std::uint16_t> file_of_label(Flow& flow, const LinuxCnc& control, 
   for (std::size_t i = 0; i < folders.size(); ++i) {
     std::error_code error;
     const fs::path path = folders[i] / (label + ".ngc");
-    if (!fs::is_regular_file(path, error) || !lies_in(path, i < own ? folders[i] : memory)) continue;
+    if (!fs::is_regular_file(path, error) || !is_within(path, i < own ? folders[i] : memory)) continue;
     if (const auto reader = flow.open_program(path.string())) return reader;
   }
   return std::nullopt;

@@ -22,20 +22,20 @@ void Profile::quarter_turn() {
 }
 
 void Profile::face_down() {
-  const Point way = pieces.front().end - pieces.back().end;
-  if (way.imag() > 0) {
+  const Point delta = pieces.front().end - pieces.back().end;
+  if (delta.imag() > 0) {
     for (Piece& piece : pieces) piece.mirror_x();
     turned ^= 2U;
   }
-  if (way.real() < 0) {
+  if (delta.real() < 0) {
     for (Piece& piece : pieces) piece.mirror_z();
     turned ^= 1U;
   }
 }
 
 Turned Profile::check_falls() {
-  Piece& way = pieces.front();
-  if (std::real(way.end - way.start) > 0) way.start.real(way.end.real());
+  Piece& lead_in = pieces.front();
+  if (std::real(lead_in.end - lead_in.start) > 0) lead_in.start.real(lead_in.end.real());
   const bool falls = std::all_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.falls(); });
   return falls ? Turned() : tl::unexpected(std::string("Not monotonic"));
 }
@@ -87,7 +87,7 @@ Turned Profile::offset_step(double distance) {
 Turned Profile::offset(double distance) {
   const Point first = pieces.front().end - pieces.front().start, whole = pieces.back().start - pieces.front().start;
   if (std::imag(first / whole) < 0) distance = -distance;
-  Piece way = pieces.front();
+  Piece lead_in = pieces.front();
   pieces.pop_front();
   if (pieces.empty()) return endless();
   double done = 0;
@@ -103,8 +103,8 @@ Turned Profile::offset(double distance) {
     const auto after = std::next(at);
     at->end = after->start = (at->end + after->start) / 2.0;
   }
-  way.end = pieces.front().start;
-  pieces.push_front(way);
+  lead_in.end = pieces.front().start;
+  pieces.push_front(lead_in);
   return {};
 }
 

@@ -107,14 +107,14 @@ Thread thread_of(const BlockContext& m, const Axes& end) {
   t.first = std::fabs(j);
   t.height = std::fabs(k);
   t.pitch = m.length_value('P');
-  const double way = end[thread_axis] > t.z ? -1 : 1;
+  const double sign = end[thread_axis] > t.z ? -1 : 1;
   const double angle = m.has('Q') && m.value('Q') != -1 ? m.value('Q') : 0;  // a missing Q has the value -1, as in LinuxCNC's source
-  t.slope = std::tan(way * angle * pi / half_turn);
+  t.slope = std::tan(sign * angle * pi / half_turn);
   t.spring = m.has('H') ? static_cast<int>(std::round(m.value('H'))) : 0;
   t.degression = m.has('R') ? std::max(1.0, m.value('R')) : 1;
   const double taper = m.has('E') ? std::max(0.0, m.length_value('E')) : 0;
   t.taper_pitch = taper > 0 ? t.pitch * std::hypot(taper, t.height) / taper : t.pitch;
-  t.taper = way * taper;
+  t.taper = sign * taper;
   const auto ends = m.has('L') ? static_cast<unsigned>(std::round(m.value('L'))) : 0U;
   t.taper_in = (ends & 1U) != 0;
   t.taper_out = (ends & 2U) != 0;

@@ -47,10 +47,10 @@ void set_motion(BlockContext& m, std::int32_t tenths) {
 /// pass (LinuxCNC 2.9.4).
 void leave_uncompensated(Emitter& m) {
   if (m.batch->empty()) return;
-  auto* const way = std::get_if<Motion>(&m.batch->back().what);
-  if (way == nullptr) return;
-  way->side = 0;
-  way->side_step = SideStep::none;
+  auto* const motion = std::get_if<Motion>(&m.batch->back().what);
+  if (motion == nullptr) return;
+  motion->side = 0;
+  motion->side_step = SideStep::none;
 }
 
 /// Executes the motions of the cycle, a few at a time.

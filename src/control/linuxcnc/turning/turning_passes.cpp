@@ -223,16 +223,16 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
 /// Mirrors the profile so that Z decreases along it. If only X is monotonic along the profile, the profile is rotated by 90° first.
 Turned face(Profile& profile, Point start) {
   profile.pieces.front().start = start;
-  Profile without_way = profile;
-  without_way.pieces.pop_front();
-  without_way.face_down();
-  const auto& all = without_way.pieces;
+  Profile without_lead_in = profile;
+  without_lead_in.pieces.pop_front();
+  without_lead_in.face_down();
+  const auto& all = without_lead_in.pieces;
   if (!std::all_of(all.begin(), all.end(), [](const Piece& piece) { return piece.falls(); })) {
-    without_way.quarter_turn();
-    without_way.face_down();
+    without_lead_in.quarter_turn();
+    without_lead_in.face_down();
   }
-  if (const Turned falls = without_way.check_falls(); !falls) return falls;
-  if ((without_way.turned & 4U) != 0) profile.quarter_turn();
+  if (const Turned falls = without_lead_in.check_falls(); !falls) return falls;
+  if ((without_lead_in.turned & 4U) != 0) profile.quarter_turn();
   profile.face_down();
   if (const Turned placed = profile.place_corners(); !placed) return placed;
   return profile.check_falls();

@@ -16,7 +16,7 @@ bool signal_on(const MacroB& macros) {
   return found != macros.signals.end() && found->second != 0;
 }
 
-bool asked(MacroB& macros) {
+bool is_requested(MacroB& macros) {
   const bool rose = std::exchange(macros.signal_rose, false);
   return macros.settings.interrupt_edge ? rose : signal_on(macros);
 }
@@ -51,7 +51,7 @@ Result<bool> interrupt_code(Interpreter& m, const Call& call) {
 Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   MacroB& macros = macro_b_of(m);
   if (!macros.state.interrupt_program || macros.interrupted.active) return false;
-  if (macros.settings.interrupt_at_end != (moment == BlockMoment::end) || !asked(macros)) return false;
+  if (macros.settings.interrupt_at_end != (moment == BlockMoment::end) || !is_requested(macros)) return false;
   CallFrame frame;
   frame.kind = CallFrame::Kind::interrupt;
   frame.left = 1;
@@ -94,7 +94,7 @@ Status interrupt_on(Interpreter& m, const Call& call) {
   if (m.def.reports_program_ends()) m.report_to_machine(call.word->code);
   macros.signal_rose = false;  // INFERRED: an edge of the signal CP_MINT before M96 has no effect
   if (m.block->file_name.end != 0) {
-    const auto place = macros.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name, macro_b::Beside::main_program);
+    const auto place = macros.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name, macro_b::NextTo::main_program);
     if (!place) return fail(place.error());
     macros.state.interrupt_program = *place;
     return {};
@@ -104,7 +104,7 @@ Status interrupt_on(Interpreter& m, const Call& call) {
   if (!number) return fail(number.error());
   const auto place = macros.settings.interrupt_in_system
                          ? macros.programs.system(m, *number, m.where('P'))
-                         : macros.programs.by_number(m, *number, m.where('P'), macro_b::Beside::main_program);
+                         : macros.programs.by_number(m, *number, m.where('P'), macro_b::NextTo::main_program);
   if (!place) return fail(place.error());
   macros.state.interrupt_program = *place;
   return {};

@@ -55,12 +55,12 @@ std::string_view extension_of(std::string_view program) {
   return point == std::string_view::npos ? std::string_view() : file.substr(point);
 }
 
-std::string beside(std::string_view program, const std::string& file) {
+std::string next_to(std::string_view program, const std::string& file) {
   const std::size_t slash = program.rfind('/');
   return std::string(program.substr(0, slash == std::string_view::npos ? 0 : slash + 1)) + file;
 }
 
-files::Wanted named_file(const std::string& path, std::string_view shown) {
+files::OpenRequest named_file(const std::string& path, std::string_view shown) {
   return {.path = path,
           .shown = std::string(shown),
           .rule = {},
@@ -123,7 +123,7 @@ Status OutputFile::open_card(std::string_view program) {
   constexpr int appended = 4;
   KADR_TRY(ready(appended));
   if (!writer_.has_room(percent)) return fail(alarm(AlarmId::file_write, {}, std::string_view(card_file)));
-  KADR_TRY(open({.path = beside(program, std::string(card_file)),
+  KADR_TRY(open({.path = next_to(program, std::string(card_file)),
                  .shown = std::string(card_file),
                  .rule = {},
                  .exists = AlarmId::program_file_exists,
@@ -145,8 +145,8 @@ Status OutputFile::open_number(double mode, double p, std::string_view program) 
   const std::string extension(extension_of(program));
   std::string name = program_name(number, number <= short_numbers ? 4 : 8);
   const std::string longer = program_name(number, 8);
-  if (!writer_.exists(beside(program, name + extension)) && writer_.exists(beside(program, longer + extension))) name = longer;
-  return open({.path = beside(program, name + extension),
+  if (!writer_.exists(next_to(program, name + extension)) && writer_.exists(next_to(program, longer + extension))) name = longer;
+  return open({.path = next_to(program, name + extension),
                .shown = name,
                .rule = {},
                .exists = AlarmId::program_file_exists,
@@ -163,10 +163,10 @@ Status OutputFile::open_named(double mode, std::string_view name, std::string_vi
 }
 
 /// Opens the file in a mode of FOPEN (1 to 5), and records it as the open file.
-Status OutputFile::open(files::Wanted wanted, int mode, std::string_view program) {
-  wanted.rule = modes[mode - 1];
-  wanted.running = program;
-  KADR_TRY(writer_.open(wanted));
+Status OutputFile::open(files::OpenRequest request, int mode, std::string_view program) {
+  request.rule = modes[mode - 1];
+  request.running = program;
+  KADR_TRY(writer_.open(request));
   state_ = State::file;
   return {};
 }

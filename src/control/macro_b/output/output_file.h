@@ -101,7 +101,7 @@ class OutputFile {
  private:
   enum class State : std::uint8_t { closed, waits_for_name, device, file };
   Status ready(double mode) const;
-  Status open(files::Wanted wanted, int mode, std::string_view program);
+  Status open(files::OpenRequest request, int mode, std::string_view program);
   Status name_device_file(std::string_view line, PrintKind kind);
   Status close();
 

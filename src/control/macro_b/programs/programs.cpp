@@ -99,13 +99,15 @@ std::optional<Heading> heading_of(const fs::path& path, const FileAccess* door) 
   const auto source = open_text(path.string(), {}, door).source;
   std::string head(max_head, '\0');
   head.resize(source ? source->read(0, head.data(), head.size()) : 0);
-  const auto behind = [&](const char* passed, std::size_t from) { return std::min(head.find_first_not_of(passed, from), head.size()); };
+  const auto first_not_of = [&](const char* passed, std::size_t from) {
+    return std::min(head.find_first_not_of(passed, from), head.size());
+  };
   const auto line_end = [&](std::size_t from) { return std::min(head.find('\n', from), head.size()); };
-  std::size_t at = behind(" \t\r\n", head.starts_with("\xEF\xBB\xBF") ? 3 : 0);
-  if (at < head.size() && head[at] == '%') at = behind(" \t\r\n", line_end(at));
+  std::size_t at = first_not_of(" \t\r\n", head.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  if (at < head.size() && head[at] == '%') at = first_not_of(" \t\r\n", line_end(at));
   if (at == head.size() || (head[at] != 'O' && head[at] != 'o' && head[at] != ':')) return std::nullopt;
-  const std::size_t digits = behind(" ", at + 1);
-  const auto number = number_in(std::string_view(head).substr(digits, behind("0123456789", digits) - digits));
+  const std::size_t digits = first_not_of(" ", at + 1);
+  const auto number = number_in(std::string_view(head).substr(digits, first_not_of("0123456789", digits) - digits));
   if (!number) return std::nullopt;
   Heading heading{*number, {}};
   const std::size_t next = line_end(digits) + 1;
@@ -163,9 +165,9 @@ std::uint32_t number_of_file(const std::string& path) {
   return static_cast<std::uint32_t>(std::stoul(stem.substr(1)));
 }
 
-Result<ProgramLocation> Programs::by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside) {
+Result<ProgramLocation> Programs::by_number(Interpreter& m, std::uint32_t number, Span where, NextTo next_to) {
   if (m.def.grammar.programs_by_label) return by_steps(m, number, where);
-  const bool of_main = beside == Beside::main_program;
+  const bool of_main = next_to == NextTo::main_program;
   const std::pair key{of_main ? 0 : std::uint32_t{m.program().reader()}, number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
   const fs::path caller(of_main ? m.program().main_file() : m.program().file());
@@ -211,10 +213,10 @@ Result<ProgramLocation> Programs::opened(Interpreter& m, const std::string& path
   return ProgramLocation{*reader, {}};
 }
 
-Result<ProgramLocation> Programs::by_name(Interpreter& m, std::string_view name, Span where, Beside beside) {
+Result<ProgramLocation> Programs::by_name(Interpreter& m, std::string_view name, Span where, NextTo next_to) {
   if (name.empty() || characters(name) > max_name || name.find('/') != std::string_view::npos)
     return fail(alarm(AlarmId::file_name, where, name));
-  const fs::path caller(beside == Beside::main_program ? m.program().main_file() : m.program().file());
+  const fs::path caller(next_to == NextTo::main_program ? m.program().main_file() : m.program().file());
   const fs::path folder = caller.parent_path();
   const fs::path relative = path_of(name);
   const fs::path whole = (folder / relative).lexically_normal();

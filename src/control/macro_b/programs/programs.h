@@ -23,7 +23,7 @@ struct ProgramLocation {
 };
 
 /// The folder in which a called program is searched: the folder of the calling program, or the folder of the main program.
-enum class Beside : std::uint8_t { caller, main_program };
+enum class NextTo : std::uint8_t { caller, main_program };
 
 /// Finds called programs and records their locations, so that each program is searched only once.
 class Programs {
@@ -33,11 +33,11 @@ class Programs {
   /// programs). Our choice, for files of other workshops, is to try next: a file whose name is the number in another form (not .nct, .prg),
   /// in the caller's folder or in the folder of --files; the control's built-in program; a file that starts with `O` or `:` and the number.
   ///   alarms  program_missing (2147), label_twice, file_outside, file_missing
-  Result<ProgramLocation> by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside = Beside::caller);
+  Result<ProgramLocation> by_number(Interpreter& m, std::uint32_t number, Span where, NextTo next_to = NextTo::caller);
   /// Finds the program that M98 <path\\name.ext> calls. The path is relative to the caller's folder. The file must be inside the main
   /// program's folder or the folder of --files.
   ///   alarms  file_missing (2132), file_name, file_outside
-  Result<ProgramLocation> by_name(Interpreter& m, std::string_view name, Span where, Beside beside = Beside::caller);
+  Result<ProgramLocation> by_name(Interpreter& m, std::string_view name, Span where, NextTo next_to = NextTo::caller);
   /// Finds a system macro or subprogram: SystemMacros/Channel1/Onnnn.nct (23.3). alarms program_missing
   Result<ProgramLocation> system(Interpreter& m, std::uint32_t number, Span where);
 

@@ -64,7 +64,7 @@ Status loop(Interpreter& m, const Statement& s, bool holds) {
   const Loop* const found = file.loop_from(m.block->position);
   if (found == nullptr) return {};  // no alarm, because the file has more loops than Kadr records
   if (found->fault != no_alarm) return faulty(*found, s.where);
-  if (!holds) m.flow.jump(found->behind);
+  if (!holds) m.flow.jump(found->after_end);
   return {};
 }
 

@@ -34,7 +34,7 @@ void note_number(StateChanges& changes, const char* name, double now, double& sa
 StateChanges Changes::take(Emitter& m) {
   MacroB& macros = macro_b_of(m);
   StateChanges changes;
-  for (int n = first_kept; all_ && n <= last_common; ++n)
+  for (int n = first_permanent; all_ && n <= last_common; ++n)
     if (!is_vacant(macros.variables.common(n)))
       changes.rows.push_back({StateTable::variables, "#" + std::to_string(n), macros.variables.common(n)});
   for (const std::uint16_t n : macros.variables.take_changed()) {

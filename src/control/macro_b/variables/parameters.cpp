@@ -322,27 +322,28 @@ ParameterKey ParameterStore::key_of(const Place& place) const {
 
 Parameters ParameterStore::written() const {
   Parameters all;
-  std::set<Place> told;
+  std::set<Place> given_places;
   for (const auto& [key, given] : given_) {
     const bool as_text = std::holds_alternative<std::string>(given.value);
     const ParameterScope scope = rows_[static_cast<std::size_t>(given.place.row)].scope;
     const bool of_all = given.place.index == 0 && scope != ParameterScope::global;
     if (!of_all) {
       all[key] = in_force(given.place, as_text);
-      told.insert(given.place);
+      given_places.insert(given.place);
     } else if (scope == ParameterScope::channel && own_written(given)) {
       all[key] = in_force(given.place, as_text);
       for (int channel = 1; channel <= count_of(scope); ++channel) {
         const Place place = {given.place.row, channel, given.place.bit};
         all.emplace(key_of(place), in_force(place, as_text));
-        told.insert(place);
+        given_places.insert(place);
       }
     } else {
       all[key] = given.value;
     }
   }
   for (const Place& place : now_.written)
-    if (!told.contains(place) && !told.contains({place.row, place.index, whole_value})) all[key_of(place)] = in_force(place, false);
+    if (!given_places.contains(place) && !given_places.contains({place.row, place.index, whole_value}))
+      all[key_of(place)] = in_force(place, false);
   return all;
 }
 

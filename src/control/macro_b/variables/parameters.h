@@ -109,7 +109,7 @@ class ParameterStore {
   const Memory& memory() const { return now_; }
   void resume_from(const Memory& memory) { now_ = memory; }
   /// Connects the store to the journal, which undoes writes after an alarm. After this call the store must not be moved in memory.
-  void keep_in(Journal& journal) { journal_.lead_to(journal); }
+  void keep_in(Journal& journal) { journal_.relink(journal); }
 
   /// Returns the parameters in the form of a set-up: those of the present set-up under their keys, and all others that were written under
   /// their numbers.

@@ -70,14 +70,14 @@ void add(BlockContext& m, std::size_t axis, std::size_t master, double sign) {
 /// Computes the new position and the signed travel of a follower whose master rolls over.
 void roll(BlockContext& m, const Follower& follower, MotionDetail& detail) {
   const AxisSettings& settings = fanuc_of(m).settings.axes[follower.axis];
-  const double way = follower.sign * detail.travel[follower.master];
+  const double travel = follower.sign * detail.travel[follower.master];
   double& work = m.position.work[follower.axis];
   const double from = work;
-  work += way;
+  work += travel;
   if (settings.rolls) {
     work -= settings.period * std::floor(work / settings.period);
     detail.rolled |= AxisMask{1} << follower.axis;
-    detail.travel[follower.axis] = way;
+    detail.travel[follower.axis] = travel;
   }
   m.position.machine[follower.axis] += work - from;
 }
@@ -167,17 +167,17 @@ void Nct::drop_cross_channel(Emitter& m, const CrossChannelAxis& axis) {
 }
 
 /// Sets the position of an axis whose master is in another channel. Axes of this channel that follow this axis move too.
-void Nct::lead_axis(Emitter& m, std::size_t axis, double machine) {
+void Nct::move_linked_axis(Emitter& m, std::size_t axis, double machine) {
   Axes& now = m.position.machine;
   now[axis] = machine;
-  for (const Follower& f : couplings.followers) now[f.axis] = couplings.lead[f.axis] + f.sign * now[f.master];
+  for (const Follower& f : couplings.followers) now[f.axis] = couplings.offset[f.axis] + f.sign * now[f.master];
   m.stand_at(Axes(now));
 }
 
 bool Nct::may_exchange(const BlockContext& m, std::size_t axis) const { return may_be_exchanged(m, axis); }
 
 void Nct::exchange_cross_channel(std::size_t axis, double machine, bool on) {
-  drives.asked.push_back({axis, AxisLink::exchanged, on, machine});
+  drives.requests.push_back({axis, AxisLink::exchanged, on, machine});
 }
 
 Status not_following(const BlockContext& m, AxisMask named) {
@@ -202,7 +202,7 @@ void follow(BlockContext& m, Motion& motion) {
       roll(m, follower, detail);
       continue;
     }
-    machine[follower.axis] = c.lead[follower.axis] + follower.sign * machine[follower.master];
+    machine[follower.axis] = c.offset[follower.axis] + follower.sign * machine[follower.master];
     m.position.work[follower.axis] = machine[follower.axis] - m.frames.origin[follower.axis] - m.frames.length[follower.axis];
   }
   if (!m.frames.is_plain()) m.position.work = m.frames.work_of(machine);
@@ -215,7 +215,7 @@ void follow(BlockContext& m, Motion& motion) {
 
 void follow_from_here(BlockContext& m) {
   Couplings& c = nct_of(m).couplings;
-  for (const Follower& f : c.followers) c.lead[f.axis] = m.position.machine[f.axis] - f.sign * m.position.machine[f.master];
+  for (const Follower& f : c.followers) c.offset[f.axis] = m.position.machine[f.axis] - f.sign * m.position.machine[f.master];
 }
 
 }  // namespace kadr::nct

@@ -18,12 +18,12 @@ class Emitter;
 namespace kadr::nct {
 
 /// The axes that follow a master at present. The machine position of a follower is lead + sign · machine position of its master, where
-/// `lead` and `sign` are constants of the follower. (fanuc::Memory::following has the mask of all followers, including those whose master
+/// `offset` and `sign` are constants of the follower. (fanuc::Memory::following has the mask of all followers, including those whose master
 /// is in another channel.)
 struct Couplings {
   std::vector<Follower> followers;    // the coupled axes of this channel, sorted so that each follower comes after its own master
   std::vector<CrossChannelAxis> far;  // axes that follow, or are exchanged with, axes of other channels
-  Axes lead{};                        // the constant of the equation above for each follower, mm or degrees
+  Axes offset{};                      // the constant of the equation above for each follower, mm or degrees
 };
 
 /// Returns the index of the axis of this channel whose control-wide number is `number`. Returns nullopt if this channel has no other axis
@@ -53,7 +53,7 @@ Status not_following(const BlockContext& m, AxisMask named);
 /// Adds the end positions of the followers to a motion that already has the end positions of their masters.
 void follow(BlockContext& m, Motion& motion);
 
-/// Recomputes `lead`, the constant of the coupling equation, of all followers after a position has changed without a motion: a probe has
+/// Recomputes `offset`, the constant of the coupling equation, of all followers after a position has changed without a motion: a probe has
 /// made contact, a block was undone, an axis has rolled over.
 void follow_from_here(BlockContext& m);
 

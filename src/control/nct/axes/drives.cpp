@@ -40,7 +40,7 @@ std::optional<std::size_t> other_of(const BlockContext& m, std::size_t axis) {
 }
 
 /// Returns true if the axis moves in the reversed direction after the exchange (N2105 #0 MMI).
-bool goes_other_way(const BlockContext& m, std::size_t axis) {
+bool moves_reversed(const BlockContext& m, std::size_t axis) {
   const ParameterStore& store = macro_b_of(m).parameters;
   constexpr int mmi = 0;
   return store.bit(store.named("2105"), mmi, m.def.axis_numbers[axis]);
@@ -56,7 +56,7 @@ AxisDrives drives_of(const BlockContext& m, const Drives& d) {
     if (!other) continue;
     std::swap(all.axis[axis], all.axis[*other]);
     for (const std::size_t a : {axis, *other})
-      if (goes_other_way(m, a)) all.reversed ^= bit(a);
+      if (moves_reversed(m, a)) all.reversed ^= bit(a);
   }
   all.is_own = all.reversed == 0 && all.axis == AxisDrives().axis;
   return all;
@@ -73,7 +73,7 @@ bool may_exchange(const BlockContext& m, std::size_t axis) {
 void exchange_cross_channel(BlockContext& m, std::size_t axis, double machine, bool on) {
   Drives& d = nct_of(m).drives;
   d.far = on ? d.far | bit(axis) : d.far & ~bit(axis);
-  d.far_reversed = on && goes_other_way(m, axis) ? d.far_reversed | bit(axis) : d.far_reversed & ~bit(axis);
+  d.far_reversed = on && moves_reversed(m, axis) ? d.far_reversed | bit(axis) : d.far_reversed & ~bit(axis);
   m.position.machine[axis] = machine;
 }
 
@@ -86,24 +86,24 @@ void unpark(BlockContext& m, std::size_t axis) {
 
 /// Executes a request of the machine's logic: exchanges, reverses or parks an axis, or ends the exchange, reversal or parking. Returns
 /// false if the request is impossible.
-bool execute(BlockContext& m, const AxisRequest& asked) {
+bool execute(BlockContext& m, const AxisRequest& request) {
   Drives& d = nct_of(m).drives;
-  if (asked.machine) {
-    exchange_cross_channel(m, asked.axis, *asked.machine, asked.on);
+  if (request.machine) {
+    exchange_cross_channel(m, request.axis, *request.machine, request.on);
     return true;
   }
-  const AxisMask axis = bit(asked.axis);
-  AxisMask& now = asked.link == AxisLink::exchanged ? d.exchanged : asked.link == AxisLink::reversed ? d.mirrored : d.parked;
-  if (((now & axis) != 0) == asked.on) return true;
-  if (asked.link == AxisLink::parked) {
-    if (!asked.on) {
-      unpark(m, asked.axis);
+  const AxisMask axis = bit(request.axis);
+  AxisMask& now = request.link == AxisLink::exchanged ? d.exchanged : request.link == AxisLink::reversed ? d.mirrored : d.parked;
+  if (((now & axis) != 0) == request.on) return true;
+  if (request.link == AxisLink::parked) {
+    if (!request.on) {
+      unpark(m, request.axis);
       return true;
     }
-    d.standing[asked.axis] = m.position.machine[asked.axis];
-  } else if (asked.on && asked.link == AxisLink::exchanged && !may_exchange(m, asked.axis)) {
+    d.standing[request.axis] = m.position.machine[request.axis];
+  } else if (request.on && request.link == AxisLink::exchanged && !may_exchange(m, request.axis)) {
     return false;
-  } else if (asked.on && asked.link == AxisLink::reversed && !is_free_axis(m, asked.axis)) {
+  } else if (request.on && request.link == AxisLink::reversed && !is_free_axis(m, request.axis)) {
     return false;
   }
   now ^= axis;
@@ -123,14 +123,14 @@ void request_axis(BlockContext& m, const std::string& name, AxisLink link, bool 
     if (m.axis_names[a] != name) continue;
     const double other = store.value(store.named("2104"), m.def.axis_numbers[a]);
     if (link == AxisLink::exchanged && is_cross_channel_axis(m, other)) link_cross_channel(m, {a, static_cast<int>(other), link, 1}, on);
-    else nct_of(m).drives.asked.push_back({a, link, on});
+    else nct_of(m).drives.requests.push_back({a, link, on});
   }
 }
 
 void execute_requests(Emitter& m) {
   Drives& d = nct_of(m).drives;
-  for (const AxisRequest& asked : std::exchange(d.asked, {}))
-    if (!execute(m, asked)) m.warn(warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[asked.axis])));
+  for (const AxisRequest& request : std::exchange(d.requests, {}))
+    if (!execute(m, request)) m.warn(warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[request.axis])));
   fanuc_of(m).driven = drives_of(m, d);
   m.refresh_frames();
   m.position.work = m.frames.work_of(m.position.machine);

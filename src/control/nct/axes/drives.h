@@ -32,7 +32,7 @@ struct Drives {
   AxisMask far = 0;           // axes that drive an axis of another channel
   AxisMask far_reversed = 0;  // axes that drive an axis of another channel in the reversed direction
   Axes standing{};            // machine coordinates of the parked axes, mm or degrees
-  std::vector<AxisRequest> asked;
+  std::vector<AxisRequest> requests;
 };
 
 /// Returns true if the axis is linear, is neither coupled nor exchanged, and belongs to no five-axis function.

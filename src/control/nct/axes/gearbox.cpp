@@ -135,13 +135,13 @@ Status withdraw(Emitter& m) {
   AxisMask named = 0;
   double minutes = 0, squares = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
-    const double way = store.value(store.named("1804"), m.def.axis_numbers[a]),
+    const double travel = store.value(store.named("1804"), m.def.axis_numbers[a]),
                  feed = store.value(store.named("1805"), m.def.axis_numbers[a]);
-    if (way == 0) continue;
-    to[a] += way;
+    if (travel == 0) continue;
+    to[a] += travel;
     named |= AxisMask{1} << a;
-    squares += way * way;
-    if (feed > 0) minutes = std::max(minutes, std::fabs(way) / feed);
+    squares += travel * travel;
+    if (feed > 0) minutes = std::max(minutes, std::fabs(travel) / feed);
   }
   if (named == 0) return {};
   if (minutes == 0) return m.to_machine(MotionKind::rapid, to, named, 0);

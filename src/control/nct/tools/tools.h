@@ -69,7 +69,7 @@ class JournaledTable {
   std::uint64_t version() const { return version_; }
 
   /// Connects the table to a journal, which restores the rows that a faulty block has written. Without a journal no row is restored.
-  void keep_in(Journal& journal) { journal_.lead_to(journal); }
+  void keep_in(Journal& journal) { journal_.relink(journal); }
 
  private:
   void keep(const Key& key) {
@@ -80,7 +80,7 @@ class JournaledTable {
       old_.clear();
       journal_.on_undo([this] { undo(); });
     }
-    if (std::any_of(old_.begin(), old_.end(), [&](const auto& kept) { return kept.first == key; })) return;
+    if (std::any_of(old_.begin(), old_.end(), [&](const auto& entry) { return entry.first == key; })) return;
     const Row* row = find(key);
     old_.emplace_back(key, row != nullptr ? std::optional<Row>(*row) : std::nullopt);
   }
@@ -92,7 +92,7 @@ class JournaledTable {
       else rows_.erase(key);
     }
     old_.clear();
-    journal_.start_anew();
+    journal_.start_again();
   }
 
   std::map<Key, Row> rows_;

@@ -110,8 +110,8 @@ void Plot::follow_programmed(const Action& action) {
   }
   const auto* const motion = motion_of(action);
   if (motion == nullptr) return;
-  const bool way = motion->side_step == SideStep::begins || motion->side_step == SideStep::ends;
-  if (motion->side != 0 && !way && motion->kind != MotionKind::rapid) {
+  const bool is_approach = motion->side_step == SideStep::begins || motion->side_step == SideStep::ends;
+  if (motion->side != 0 && !is_approach && motion->kind != MotionKind::rapid) {
     const Vec3 from = chain_.tip(programmed_.space.get(), programmed_.work) + programmed_origin_;
     if (!has_contour_) contour_.start(from);
     else contour_.go(from, Stroke::rapid);

@@ -26,10 +26,10 @@ bool overlap(const Area& a, const Area& b) {
 /// Returns a free area for a label with this width. The area is next to the point of the label if possible, otherwise farther away, but
 /// never over the point of another difference.
 std::optional<Area> free_label_area(Vec2 place, double width, const std::vector<Area>& taken, const Area& field) {
-  constexpr std::array<Vec2, 8> ways = {{{1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1.3, 0}, {-1.3, 0}, {0, -1.3}, {0, 1.3}}};
+  constexpr std::array<Vec2, 8> directions = {{{1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {1.3, 0}, {-1.3, 0}, {0, -1.3}, {0, 1.3}}};
   for (const double far : {18.0, 34.0, 52.0})
-    for (const Vec2 way : ways) {
-      const Area area{place.x + far * way.x - width / 2, place.y + far * way.y - label_height / 2, width, label_height};
+    for (const Vec2 direction : directions) {
+      const Area area{place.x + far * direction.x - width / 2, place.y + far * direction.y - label_height / 2, width, label_height};
       const auto hits = [&](const Area& other) { return overlap(area, other); };
       if (holds_all(field, area) && std::none_of(taken.begin(), taken.end(), hits)) return area;
     }

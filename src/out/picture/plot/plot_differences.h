@@ -24,8 +24,8 @@ struct PathStyle {
 };
 /// Colours from the palette of Okabe and Ito, which colour-blind people can distinguish. Where the paths of a and b coincide, the wider
 /// line is visible on both sides of the narrower line.
-inline constexpr PathStyle same_way{colour(0x8D98A5), 1}, changed_way{colour(0xF0C93A, 0.6), 9}, way_of_a{colour(0x0072B2), 3.4},
-    way_of_b{colour(0xD55E00), 1.5};
+inline constexpr PathStyle same_path{colour(0x8D98A5), 1}, changed_path{colour(0xF0C93A, 0.6), 9}, path_of_a{colour(0x0072B2), 3.4},
+    path_of_b{colour(0xD55E00), 1.5};
 inline constexpr Colour number_ink = colour(0x20262E);
 
 /// Draws each number next to its position, so that no numbers overlap. A number for which there is no free space is omitted.

@@ -16,14 +16,14 @@ class Row : public LegendRow {
  public:
   using LegendRow::LegendRow;
 
-  void stroke(Stroke stroke, const char* name, double behind = between) {
+  void stroke(Stroke stroke, const char* name, double gap_after = between) {
     const StrokeStyle line = style_of(stroke, 0);
     if (line.dashed) canvas_.dashes(5, 4);
     if (stroke == Stroke::plunge) canvas_.ring({x_ + swatch / 2, y_ - 4}, 4, line.ink, line.width);
     else canvas_.line({x_, y_ - 4}, {x_ + swatch, y_ - 4}, line.ink, stroke == Stroke::contour ? line.width : line.dashed ? 1.2 : 2.2);
     canvas_.solid();
     x_ += swatch + after_swatch;
-    words(name, behind);
+    words(name, gap_after);
   }
   void speeds(const ShadeScale& shades, double per_unit) {
     constexpr double step_width = 14, ticks = 4, bar = 9;

@@ -62,8 +62,8 @@ void draw_marks(Canvas& canvas, View view, const ViewScale& scale, const PlotSce
     const Vec2 at =
         inside ? place : away_from_labels({std::clamp(place.x, room.x, room.right()), std::clamp(place.y, room.y, room.bottom())}, room);
     if (const double far = length(place - at); far > 0) {
-      const Vec2 way = (1 / far) * (place - at);
-      canvas.arrow(at + 9.0 * way, at + (9 + arrow) * way, mark.what == PlotMark::What::stop ? red : ink, 1.4);
+      const Vec2 direction = (1 / far) * (place - at);
+      canvas.arrow(at + 9.0 * direction, at + (9 + arrow) * direction, mark.what == PlotMark::What::stop ? red : ink, 1.4);
     }
     draw_mark(canvas, mark.what, at);
   }

@@ -108,9 +108,9 @@ tl::expected<void, std::string> draw_page(const ResultFile& file, const PlotScen
   const PlotTitle& title = scene.title;
   const std::string extents = title.extents.empty() ? "" : title.extents + ". ";
   const PlainText about_lines = lines_are_tagged(scene) ? texts::plot_legend::strokes_have_lines : texts::plot_legend::too_many_strokes;
-  const PageText says{name_of_file(title.file), fmt::format("{}. {}{}", control_line(title), extents, plain_text(about_lines, title.lang)),
-                      title.lang};
-  return write_page(file, page_width, page_height, says, [&](Canvas& canvas) { draw_all(canvas, scene); });
+  const PageText page_text{name_of_file(title.file),
+                           fmt::format("{}. {}{}", control_line(title), extents, plain_text(about_lines, title.lang)), title.lang};
+  return write_page(file, page_width, page_height, page_text, [&](Canvas& canvas) { draw_all(canvas, scene); });
 }
 
 }  // namespace kadr

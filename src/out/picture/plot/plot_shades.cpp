@@ -52,16 +52,17 @@ void ShadedMotions::take(const TimedCells& cells, const MotionLimits& limits, Pl
     for (int i = 0; i < pieces; ++i) {
       const double middle = (i + 0.5) / pieces, end = (i + 1.0) / pieces;
       const auto shade = by_speed ? static_cast<float>(60 * shares_at(cells, k, middle, limits).speed) : limit;
-      draw_to(gone_ + law.at(end).way, shade, path);
+      draw_to(gone_ + law.at(end).distance, shade, path);
     }
     gone_ += law.length;
   }
 }
 
-/// Draws the first waiting motion up to the distance `way` (mm) from its start. The rest is drawn when the cells of the next motion arrive.
-void ShadedMotions::draw_to(double way, float shade, PlotPath& path) {
+/// Draws the first waiting motion up to the distance `distance` (mm) from its start. The rest is drawn when the cells of the next motion
+/// arrive.
+void ShadedMotions::draw_to(double distance, float shade, PlotPath& path) {
   const Waiting& motion = waiting_.front();
-  const double part = motion.way > 0 ? std::clamp(way / motion.way, drawn_, 1.0) : 1;
+  const double part = motion.distance > 0 ? std::clamp(distance / motion.distance, drawn_, 1.0) : 1;
   draw_part(motion, drawn_, part, shade, path);
   drawn_ = part;
 }
@@ -70,7 +71,7 @@ void ShadedMotions::draw_to(double way, float shade, PlotPath& path) {
 void ShadedMotions::draw_rest(float shade, PlotPath& path) {
   if (drawn_ < 1) draw_part(waiting_.front(), drawn_, 1, shade, path);
   let_go(path);
-  gone_ = std::max(0.0, gone_ - waiting_.front().way);
+  gone_ = std::max(0.0, gone_ - waiting_.front().distance);
   drawn_ = 0;
   waiting_.pop_front();
 }

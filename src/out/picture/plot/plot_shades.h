@@ -27,9 +27,9 @@ class ShadedMotions {
   void wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke, ProgramLine line);
   /// Sets the number (CellSource::motion) of the motion added last, and the approximate total length of its cells, mm. This function must
   /// be called before those cells arrive.
-  void set_motion(std::uint64_t number, double way) {
+  void set_motion(std::uint64_t number, double distance) {
     waiting_.back().number = number;
-    waiting_.back().way = way;
+    waiting_.back().distance = distance;
   }
   /// Moves the waiting motions by this vector in the picture, including their parts that are already drawn.
   void move_all(Vec3 by);
@@ -47,9 +47,9 @@ class ShadedMotions {
     Stroke stroke;
     ProgramLine line;
     std::uint64_t number;
-    double way;
+    double distance;
   };
-  void draw_to(double way, float shade, PlotPath& path);
+  void draw_to(double distance, float shade, PlotPath& path);
   void draw_rest(float shade, PlotPath& path);
   void draw_part(const Waiting& motion, double from, double to, float shade, PlotPath& path);
   void keep(PlotPoint point, bool may_replace, PlotPath& path);

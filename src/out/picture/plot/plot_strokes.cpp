@@ -23,21 +23,21 @@ Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp
 /// Shortens a line to the part within the limits of the page. Returns false if the whole line is outside.
 bool cut_to_reach(Vec2& from, Vec2& to) {
   double first = 0, last = 1;
-  const Vec2 start = from, way = to - from;
+  const Vec2 start = from, delta = to - from;
   const auto keep = [&](double at, double step) {  // limits the fraction t of the line so that at + t·step ≤ beyond
     if (step > 0) last = std::min(last, (beyond - at) / step);
     else if (step < 0) first = std::max(first, (beyond - at) / step);
     else if (at > beyond) last = -1;
   };
-  keep(start.x, way.x), keep(-start.x, -way.x), keep(start.y, way.y), keep(-start.y, -way.y);
+  keep(start.x, delta.x), keep(-start.x, -delta.x), keep(start.y, delta.y), keep(-start.y, -delta.y);
   if (first > last) return false;
-  if (last < 1) to = start + last * way;
-  if (first > 0) from = start + first * way;
+  if (last < 1) to = start + last * delta;
+  if (first > 0) from = start + first * delta;
   return true;
 }
 
-bool is_line(Stroke point, Stroke wanted) {
-  return point == wanted || (wanted == Stroke::feed && (point == Stroke::plunge || point == Stroke::probe));
+bool is_line(Stroke point, Stroke stroke) {
+  return point == stroke || (stroke == Stroke::feed && (point == Stroke::plunge || point == Stroke::probe));
 }
 
 /// Sets the program lines of the strokes that are drawn in a view.
@@ -130,13 +130,13 @@ const char* name_of(Stroke stroke) {
   }
 }
 
-void draw_lines(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, Stroke wanted) {
-  const StrokeStyle style = style_of(wanted, path.points().size());
-  canvas.kind(name_of(wanted));
+void draw_lines(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, Stroke stroke) {
+  const StrokeStyle style = style_of(stroke, path.points().size());
+  canvas.kind(name_of(stroke));
   canvas.pen(style.ink, style.width);
   if (style.dashed) canvas.dashes(5, 4);
-  draw_pieces(canvas, tags, view, scale, path, wanted != Stroke::contour,
-              [wanted](const PlotPoint& point) { return is_line(point.stroke, wanted); });
+  draw_pieces(canvas, tags, view, scale, path, stroke != Stroke::contour,
+              [stroke](const PlotPoint& point) { return is_line(point.stroke, stroke); });
   canvas.solid();
   canvas.kind("");
 }
@@ -156,25 +156,25 @@ void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& sca
 
 /// Draws the path of program a, and over it that of program b. Where the two paths coincide, the wider line of a is visible on both sides
 /// of the line of b.
-void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
+void draw_paths(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   const PlotDifferences& d = *scene.differences;
-  struct Way {
+  struct Layer {
     const PlotPath& path;
     const char* kind;
     const PathStyle& style;
     bool names, dashed;
   };
-  const std::array<Way, 5> ways = {{{d.changed, "changed", changed_way, false, false},
-                                    {d.changed, "same", same_way, true, true},
-                                    {scene.path, "same", same_way, true, true},
-                                    {d.a, "a", way_of_a, true, true},
-                                    {d.b, "b", way_of_b, true, true}}};
-  for (const Way& way : ways)
+  const std::array<Layer, 5> layers = {{{d.changed, "changed", changed_path, false, false},
+                                        {d.changed, "same", same_path, true, true},
+                                        {scene.path, "same", same_path, true, true},
+                                        {d.a, "a", path_of_a, true, true},
+                                        {d.b, "b", path_of_b, true, true}}};
+  for (const Layer& layer : layers)
     for (const bool rapid : {true, false}) {
-      canvas.kind(way.kind);
-      canvas.pen(way.style.ink, way.style.width);
-      if (rapid && way.dashed) canvas.dashes(5, 4);
-      draw_pieces(canvas, tags, view, scale, way.path, way.names,
+      canvas.kind(layer.kind);
+      canvas.pen(layer.style.ink, layer.style.width);
+      if (rapid && layer.dashed) canvas.dashes(5, 4);
+      draw_pieces(canvas, tags, view, scale, layer.path, layer.names,
                   [rapid](const PlotPoint& point) { return point.stroke != Stroke::jump && (point.stroke == Stroke::rapid) == rapid; });
       canvas.solid();
     }
@@ -214,7 +214,7 @@ bool lines_are_tagged(const PlotScene& scene) {
 
 void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene) {
   LineTags tags(canvas, scene, view == View::isometric);
-  if (scene.differences != nullptr) return draw_ways(canvas, tags, view, scale, scene);
+  if (scene.differences != nullptr) return draw_paths(canvas, tags, view, scale, scene);
   draw_lines(canvas, tags, view, scale, scene.contour, Stroke::contour);
   draw_lines(canvas, tags, view, scale, scene.path, Stroke::rapid);
   if (scene.shades.by() != PlotColour::stroke) return draw_shaded(canvas, tags, view, scale, scene);

@@ -101,10 +101,10 @@ void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUn
 void draw_triad(Canvas& canvas, Vec2 at) {
   constexpr double size = 42;
   const auto arm = [&](Vec3 axis, const char* name) {
-    const Vec2 way = projected(View::isometric, axis);
-    const Vec2 tip{at.x + size * way.x, at.y - size * way.y};
+    const Vec2 direction = projected(View::isometric, axis);
+    const Vec2 tip{at.x + size * direction.x, at.y - size * direction.y};
     canvas.arrow(at, tip, ink, 1.6);
-    canvas.text({tip.x + 12 * way.x, tip.y - 12 * way.y + 5}, name, {14, ink, Align::centre, true});
+    canvas.text({tip.x + 12 * direction.x, tip.y - 12 * direction.y + 5}, name, {14, ink, Align::centre, true});
   };
   arm({1, 0, 0}, "X");
   arm({0, 1, 0}, "Y");

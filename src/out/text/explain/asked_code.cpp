@@ -70,7 +70,7 @@ std::vector<std::string> nearest_numbers(const ControlDef& def, const std::strin
 
 }  // namespace
 
-std::string code_asked(std::string_view what) {
+std::string code_named(std::string_view what) {
   std::string code = latin_capitals(what);
   if (code.empty() || !is_capital(code[0])) return code;
   const std::size_t digits = code.find_first_not_of('0', 1);
@@ -83,7 +83,7 @@ std::string code_asked(std::string_view what) {
 }
 
 std::vector<std::string> nearest_to(const ControlDef& def, const std::string& what) {
-  const std::string code = code_asked(what);
+  const std::string code = code_named(what);
   const bool digits = !what.empty() && what.find_first_not_of("0123456789") == std::string::npos;
   const std::string asked = digits && what.size() <= 4 ? "N" + what : code;
   if (const auto number = number_of(asked)) return nearest_numbers(def, asked, *number);

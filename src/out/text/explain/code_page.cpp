@@ -195,7 +195,7 @@ std::optional<std::string> explain_words(const ControlDef& def, const AlarmTexts
 }
 
 std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
-  const std::string code = code_asked(what);
+  const std::string code = code_named(what);
   if (const AlarmId id = alarm_named(what); id != no_alarm) return alarm_text_of(def, texts, id, lang);
   if (what.empty()) return std::nullopt;
   // the number may be that of an alarm and that of a parameter, so both are explained

@@ -125,8 +125,8 @@ class BodyTeller {
 
   bool code(const std::string& word) {
     if (word[0] != 'G' && word[0] != 'M') return false;
-    const std::string plain = code_asked(word);
-    const auto row = std::find_if(def_.codes.begin(), def_.codes.end(), [&](const CodeRow& one) { return code_asked(one.code) == plain; });
+    const std::string plain = code_named(word);
+    const auto row = std::find_if(def_.codes.begin(), def_.codes.end(), [&](const CodeRow& one) { return code_named(one.code) == plain; });
     if (row == def_.codes.end()) return false;
     if (row->function == Function::rapid) motion_ = cycle_ids::rapid_motion;
     else if (row->function == Function::linear) motion_ = cycle_ids::feed_motion;
