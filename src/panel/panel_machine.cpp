@@ -18,8 +18,7 @@ using Failed = tl::unexpected<std::string>;
 
 constexpr auto look_every = std::chrono::milliseconds(4);  // interval at which the machine's thread checks a motion
 constexpr double seen_share = 1e-6;  // least decrease of the override (0 to 1) that counts as the effect of a feed hold
-// time limit for waiting until an effect is visible, because some axes can hardly brake
-constexpr auto seen_within = std::chrono::milliseconds(20);
+constexpr auto seen_within = std::chrono::milliseconds(20);  // time limit until an effect must be visible: some axes can hardly brake
 // Time limit for the start of a request. If it expires, the machine is busy and the request is dropped.
 constexpr auto answers_within = std::chrono::seconds(2);
 constexpr auto done_within = std::chrono::seconds(60);  // time limit for the completion of a request that has started
