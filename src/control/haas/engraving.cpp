@@ -18,7 +18,8 @@ namespace {
 constexpr double usual_height = mm_per_inch;  // height of the text in mm, if J is missing
 constexpr double text_itself = 0, serial_number = 1, first_character = 32, last_character = 126;  // values of P
 constexpr int serial_variable = 599;
-constexpr std::size_t max_digits = 15;  // a double stores whole numbers of 15 digits exactly
+// greatest number of digits of the serial number: a double stores whole numbers of 15 digits exactly
+constexpr std::size_t max_digits = 15;
 
 /// Engraves one line of text.
 class EngravedText {

@@ -85,15 +85,17 @@ struct Memory {
   std::uint8_t stop_group = 0;            // index of the modal group of G61 … G64
   std::int16_t inhibiting = -1;           // table row of G63, which suppresses single-block stops
   // ---- flags of the block being executed
-  bool was_hidden = false;     // the block's program, 8000 to 9999, runs as one block in single-block operation (23.3.9)
+  // the block belongs to a program from 8000 to 9999, which runs as one block in single-block operation (23.3.9)
+  bool was_hidden = false;
   bool moved = false;          // the block commanded a movement
   bool stops_reading = false;  // the block empties the look-ahead buffer
   std::vector<PendingCall> pending;
   // ---- values that the program reads by system variables
   std::array<double, 32> plc_in{}, plc_out{};
   std::array<double, 4> plc_in_word{}, plc_out_word{};
-  std::uint32_t control_1 = 0, control_2 = 0;  // values of #3003 and #3004
-  double answer = 0;                           // the operator's answer to the question of #3107
+  // values of #3003 and #3004, by which a program suppresses single-block stops, feed hold, override and exact stop
+  std::uint32_t control_1 = 0, control_2 = 0;
+  double answer = 0;  // the operator's answer to the question of #3107
   double parts_required = 0;
   double cutting_ms = 0, clock_offset_ms = 0;
   double now_ms = 0;                        // virtual time in ms since power-on
@@ -101,7 +103,7 @@ struct Memory {
   std::map<double, double> variable_names;  // names given by SETVN: internal number of the name → number of the variable (spec/fanuc 5.1)
   Changes changes;                          // values that have changed and must be saved to the state file
   Endless endless;
-  std::uint64_t parameters_seen = 0;  // 1 + the version of the parameters from which `settings` was read
+  std::uint64_t parameters_seen = 0;  // 1 + the version of the parameters from which `settings` was derived last
 };
 
 }  // namespace kadr::macro_b

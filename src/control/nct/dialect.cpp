@@ -20,7 +20,8 @@ namespace nct {
 
 void Nct::started(Emitter& m) {
   couple_gantries(m);
-  for (const auto& [name, value] : signals)  // some signals that couple, exchange or park axes are on from the start (20.2 to 20.4)
+  // The machine's logic may have switched on a signal that couples, exchanges or parks an axis before the start (20.2 to 20.4).
+  for (const auto& [name, value] : signals)
     if (const AxisSignal signal = axis_signal(name); value != 0 && !signal.axis.empty())
       couple_axis(m, std::string(signal.axis), signal.link, true);
 }

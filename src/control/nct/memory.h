@@ -32,7 +32,7 @@ struct Memory {
   int axes_in_all = 0;        // number of axes in all channels
   bool counts_time = false;   // true: at the last set_time(), the life of at least one tool was counted in time
   bool turned = false;        // true: the main spindle was turning at the last set_time()
-  double tool_magazine = 10;  // #8400: number of the spindle or stand-by magazine whose tool the variables #8401 … describe
+  double tool_magazine = 10;  // variable #8400: number of the spindle or stand-by magazine whose tool the variables #8401 … describe
 };
 
 }  // namespace kadr::nct

@@ -28,7 +28,7 @@ const Word* code_of(const BlockContext& m, std::initializer_list<Function> funct
 struct Seen {
   bool reference = false;  // the program has had a G25
   bool moved = false;
-  bool at_rest = true;        // the last motion stopped at its end
+  bool at_rest = true;        // the last motion ended with a stop, so the plane may change
   std::uint64_t shadows = 0;  // one bit per canned cycle whose hidden subprogram has been reported
 };
 
@@ -67,7 +67,7 @@ void check_length(Emitter& m) {
 }
 
 void note_moved(const BlockContext& m, Seen& seen) {
-  const bool calls = m.has('L');  // L calls a canned cycle, which ends with a stop (table 9)
+  const bool calls = m.has('L');  // word L calls a canned cycle, which ends with a stop (table 9)
   const bool stands = code_of(m, {Function::dwell, Function::program_stop, Function::optional_stop, Function::change_tool}) != nullptr;
   const bool machine = code_of(m, {Function::approach_reference, Function::machine_point}) != nullptr;
   const bool takes_axes = code_of(m, {Function::zero_shift}) != nullptr;
@@ -123,8 +123,8 @@ class S2c42 final : public Dialect {
     Seen seen;
   };
   Seen seen_;
-  // State at the start of the current block:
-  bool in_body_ = false;  // the current block is in the body of a canned cycle
+  // the state at the start of the current block
+  bool in_body_ = false;  // true: the current block is in the body of a canned cycle
   Plane plane_ = Plane::xy;
 };
 

@@ -23,7 +23,7 @@ class BlockStates {
   std::shared_ptr<const ControlState> of(std::uint32_t block) const;
 
  private:
-  // pairs of the first block with a state, and this state
+  // each stored state with the number of the first block that has this state
   std::deque<std::pair<std::uint32_t, std::shared_ptr<const ControlState>>> states_;
 };
 

@@ -11,8 +11,8 @@ namespace kadr {
 struct CrossChannelAxis {
   std::size_t axis = 0;               // index of the axis in this channel
   int other = 0;                      // number of the other axis; the numbers are unique across the channels
-  AxisLink link = AxisLink::follows;  // the axis follows the other axis, or the two are exchanged
-  double sign = 1;                    // +1, or -1 if the axis follows in the opposite direction
+  AxisLink link = AxisLink::follows;  // whether the axis follows the other axis, or the two axes are exchanged
+  double sign = 1;                    // direction of a following axis: +1 that of the other axis, -1 the opposite direction
   friend bool operator==(const CrossChannelAxis&, const CrossChannelAxis&) = default;
 };
 

@@ -22,7 +22,7 @@ class Journal {
     if (!undos_.empty()) [[unlikely]]
       undos_.clear();
   }
-  /// Records the value of `cell`, which is about to be written. The cell must not move in memory before the block is over.
+  /// Records the old value of `cell`, which the caller is about to write. The cell must not move in memory before the block is over.
   template <class T>
   void keep(T& cell) {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(Change));
@@ -45,7 +45,7 @@ class Journal {
   /// The record that follows the bytes of an old value. The record comes after the bytes because undo() reads backwards, so that it finds
   /// the last change first.
   struct Change {
-    void* cell;        // address of the changed cell; nullptr: undos_[size] undoes the change
+    void* cell;        // address of the changed cell; nullptr: no cell has changed, and the function undos_[size] undoes the change
     std::size_t size;  // size of the cell in bytes
   };
   static constexpr std::size_t step = alignof(Change);
@@ -84,7 +84,8 @@ class JournalLink {
   void on_undo(Undo&& undo) const {
     if (journal_ != nullptr) journal_->on_undo(std::forward<Undo>(undo));
   }
-  /// Returns true at the first call in this block. Without a journal the result is false, because nothing is restored.
+  /// Returns true at the first call in this block: the table then has to record its old state. Without a journal the result is false,
+  /// because nothing is restored.
   bool is_first() { return journal_ != nullptr && std::exchange(seen_, journal_->block()) != journal_->block(); }
   /// Makes is_first() return true at its next call, as if the table had recorded nothing in this block.
   void start_again() { seen_ = 0; }

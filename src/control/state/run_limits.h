@@ -17,10 +17,11 @@ namespace kadr {
 struct RunLimits {
   std::uint64_t repeated_blocks = 20'000'000;  // greatest number of blocks that are executed again after jumps back
   std::uint32_t restarts = 1000;               // greatest number of passes of a main program that starts again (M99, M47)
-  bool writes_files = false;  // a program may write files (FOPEN, POPEN); false: the program runs without writing, as far as possible
-  std::string files = ".";    // folder of the program memory, outside of which nothing is written
-  FileSet untouched{};        // files that the run itself uses; no program may write them
-  StopToken stop{};           // checked at least once per block
+  // true: the program may write files (FOPEN, POPEN); false: the program runs without writing, as far as possible
+  bool writes_files = false;
+  std::string files = ".";           // folder of the program memory, outside of which nothing is written
+  FileSet untouched{};               // files that belong to the run itself, such as its trace and set-up; no program may write them
+  StopToken stop{};                  // flag by which the caller stops the run; the run polls it at least once per block
   const FileAccess* door = nullptr;  // object that opens the files that the program calls and the set-up names; must outlive the run
 };
 

@@ -19,8 +19,8 @@ namespace kadr {
 /// The next action of the interpreter. It comes after the block's canned cycle and the functions that wait for the end of the cycle.
 enum class RunPhase : std::uint8_t {
   next_block,    // reads the next block
-  same_block,    // executes the block that was read earlier: the block waited for an answer of the operator, or for its real time
-  end_of_block,  // after an observed block: an interrupt macro or the machine's logic acts next (nct 23.4)
+  same_block,    // executes the block that was read earlier and has waited: for an answer of the operator, or for its real time
+  end_of_block,  // after a block that the machine's logic or an interrupt macro observes, which act next (nct 23.4)
   stopped,       // an alarm has stopped the run
 };
 
@@ -32,26 +32,28 @@ struct RunMemory {
   Span call_where;
   WaitingCodes waiting;
   AlarmReport report;               // the last alarm
-  ProgramUse use;                   // which data of the set-up the program has used
-  std::optional<Position> resumed;  // position of the block that an interrupt macro has delayed
+  ProgramUse use;                   // record of the set-up data that the program has used
+  std::optional<Position> resumed;  // position in the program of the block before which an interrupt macro has been called
   std::uint64_t start_block = 0;    // number of the block with '%'; 0 if the program has no such block
-  std::uint64_t unsupported = 0;    // modal groups, one bit each, whose code at the start is not supported by Kadr
-  bool needs_frames = true;         // the first batch must start with a FrameChange
-  bool reads_clock = false;         // a block that may read a clock has been read
-  bool pass_varies = false;  // a further pass of the program may differ from this pass, because of a variable, a skipped block, a probe …
+  std::uint64_t unsupported = 0;    // modal groups, one bit each, whose initial code Kadr does not support
+  bool needs_frames = true;         // the first batch of actions must start with the action FrameChange
+  bool reads_clock = false;         // a block that may read a clock variable has been read
+  // another pass of a repeated program may differ from this pass, because of a variable, a skipped block, a probe …
+  bool pass_varies = false;
   bool start_missing_reported = false;
   bool feed_missing_reported = false;
   bool skipping_section = false;
-  bool in_interrupt = false;      // the block belongs to an interrupt macro
-  bool damaged = false;           // the block could not be read
+  bool in_interrupt = false;      // the current block belongs to an interrupt macro
+  bool damaged = false;           // the current block could not be read
   AxisMask unknown_position = 0;  // axes whose position is unknown because a motion was refused
   // ---- switches of the panel
   bool optional_stop_on = false;
   std::array<bool, 10> skip_switches{};
-  std::vector<bool> skip_answers;                // the operator's answers about blocks to skip (spec/gost 2); empty: no questions
-  std::size_t answers_used = 0;                  // number of answers used; the last answer applies to all further questions
-  std::optional<bool> skips_it;                  // the operator's answer for the current block: true to skip the block
-  std::array<bool, max_axes> mirror_switches{};  // by axis: mirror switches on the panel of the 2С42 (6.8)
+  // answers that the set-up gives to the question whether to skip a block (spec/gost 2); empty: no block is asked about
+  std::vector<bool> skip_answers;
+  std::size_t answers_used = 0;                  // number of answers used so far; the last answer applies to all further questions
+  std::optional<bool> skips_it;                  // answer for the current block: true to skip the block; nullopt: no answer yet
+  std::array<bool, max_axes> mirror_switches{};  // by axis: true if the mirror switch of the axis is on, on the panel of the 2С42 (6.8)
 };
 
 }  // namespace kadr

@@ -19,7 +19,8 @@ void ProgramUse::note(UseKind kind, std::uint32_t number, const Origin& origin, 
   const bool of_tool = kind == UseKind::length || kind == UseKind::radius;
   const auto is_same_use = [&](const Use& use) { return use.kind == kind && use.number == number && (!of_tool || use.tool == tool); };
   std::vector<bool>& seen = seen_[static_cast<std::size_t>(kind)];
-  constexpr std::size_t tabled = 65'536;  // smaller numbers have bits in seen_; greater numbers are rare and are searched in the list
+  // Numbers below this limit have bits in seen_; greater numbers are rare and are searched in the list.
+  constexpr std::size_t tabled = 65'536;
   if (number < tabled) {
     if (number < seen.size() && seen[number] && (!of_tool || std::any_of(all_.begin(), all_.end(), is_same_use))) return;
     if (number >= seen.size()) seen.resize(number + 1);

@@ -13,15 +13,17 @@ namespace kadr {
 class BlockContext;
 
 enum class UseKind : std::uint8_t {
-  length,     // the length of an offset comes into force, by H or (2С42) by D
-  radius,     // the radius of an offset comes into force
-  work_zero,  // a work offset, by its row in the table; work_systems() of config/setup/setup_names returns the names
-  corrector,  // corrector (offset value) of an axis, or of a tool's radius
-  tool,       // a tool, by T
-  variable,   // #n is read before it is written; if the control has no vacant variables, this is recorded only after watch()
-  parameter,  // one of R0 … R9 is read before it is written; if the control has no vacant variables, this is recorded only after watch()
-  skip_switch,    // the switch of a skip mark /, /n
-  optional_stop,  // the switch of M1
+  length,  // the length of a tool offset comes into force, by H or (2С42) by D
+  radius,  // the radius of a tool offset comes into force
+  // a work offset comes into force; the number is its row in the table, whose name work_systems() of config/setup/setup_names returns
+  work_zero,
+  corrector,  // a corrector (offset value) of an axis, or of a tool's radius, is used
+  tool,       // a tool is called by T
+  variable,   // variable #n is read before it is written; if the control has no vacant variables, this is recorded only after watch()
+  // one of the parameters R0 … R9 is read before it is written; if the control has no vacant variables, this is recorded only after watch()
+  parameter,
+  skip_switch,    // the state of a block skip switch decides, at a block with the mark / or /n
+  optional_stop,  // the state of the optional stop switch decides, at M1
   count
 };
 
@@ -29,19 +31,20 @@ struct Use {
   UseKind kind = UseKind::count;
   std::uint32_t number = 0;
   Origin origin;           // location of the first use
-  bool zero = false;       // the value was 0 at that time
-  std::uint32_t tool = 0;  // number of the tool in the spindle at that time
+  bool zero = false;       // the value in the set-up was 0 at the first use
+  std::uint32_t tool = 0;  // number of the tool in the spindle at the first use
 };
 
 class ProgramUse {
  public:
-  /// Records the first use of each number. A use by words of the set-up, which have no line, is not recorded.
+  /// Records the first use of a number of this kind (of a tool, an offset, a variable …); later uses are ignored. A use by words of the
+  /// set-up, which have no line, is not recorded.
   void note(UseKind kind, std::uint32_t number, const Origin& origin, bool zero = false);
   const std::vector<Use>& all() const { return all_; }
-  /// Records that a tool is in the spindle. If this function is never called, the tool of the last T counts.
+  /// Records which tool is in the spindle. If this function is never called, the tool of the last T counts as being in the spindle.
   void change_to(std::uint32_t tool) { in_spindle_ = tool; }
 
-  /// Starts to record variables and lines too. This recording takes time, so it is off otherwise.
+  /// Starts to record uses of variables and executed lines too. This recording takes time, so it is off otherwise.
   void watch() { watches_ = true; }
   bool watches() const { return watches_; }
   /// Records that a line of the program itself has been executed.

@@ -10,8 +10,8 @@ namespace kadr {
 
 /// The effect of a waiting code.
 enum class WaitingMode : std::uint8_t {
-  alarm,  // raises the alarm channels_wait, because no other channel can arrive
-  meet,   // run() returns Control::State::waiting until release() is called
+  alarm,  // a waiting code raises the alarm channels_wait, because no other channel can arrive
+  meet,   // the channel waits: run() returns Control::State::waiting until release() is called
   pass,   // the waiting code has no effect
 };
 /// A waiting code at which a channel waits.
@@ -24,7 +24,7 @@ struct ChannelMeeting {
 struct WaitingCodes {
   WaitingMode mode = WaitingMode::alarm;
   std::uint32_t known = 0;                // channels of the machine as bits, bit n for channel n; 0 if the set-up lists no channels
-  std::optional<ChannelMeeting> meeting;  // the code at which this channel waits; nullopt: it does not wait
+  std::optional<ChannelMeeting> meeting;  // the waiting code at which this channel waits; nullopt if the channel does not wait
 };
 
 }  // namespace kadr

@@ -17,7 +17,7 @@ namespace kadr {
 inline constexpr std::size_t max_locals = 33;
 inline constexpr int first_common = 100, last_common = 999, first_permanent = 500;
 
-using Locals = std::array<double, max_locals + 1>;  // #1 … #33, by number; [0] is unused
+using Locals = std::array<double, max_locals + 1>;  // values of the local variables #1 … #33, indexed by number; [0] is unused
 Locals no_locals();
 
 /// The common variables #100 … #999, by number.

@@ -12,9 +12,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t first_system_variable = 1000;  // lower numbers have no meaning for the control: the program uses them freely
+// the program uses variables with lower numbers freely, because they have no meaning for the control
+constexpr std::uint32_t first_system_variable = 1000;
 
-/// Returns how many parameters the control has: R0 to R9, or a thousand for each parameter letter.
+/// Returns how many parameters the control has: ten (R0 to R9), or a thousand for each parameter letter.
 std::size_t parameters_of(const Grammar& grammar) {
   constexpr std::size_t of_one_digit = 10;
   return std::max(of_one_digit, grammar.long_parameters.size() * parameters_a_letter);
@@ -30,7 +31,7 @@ std::uint32_t number_of(double number, std::uint32_t highest) {
 }  // namespace
 
 Variables::Variables(const ControlDef& def, Journal& journal) : def_(def), journal_(journal) {
-  // a control with custom macros has its variables in MacroVariables instead
+  // A control with custom macros has its variables in MacroVariables, so this class has none for it.
   all_.values.resize(def.grammar.has_vacant_variables() ? 1 : def.grammar.variables + 1);
   all_.set.resize(all_.values.size());
   all_.parameters.resize(parameters_of(def.grammar));
@@ -58,7 +59,8 @@ Status Variables::set(double number, double value, Span where) {
 }
 
 void Variables::set_raw(std::uint32_t number, double value) {
-  if (number >= all_.values.size()) return;  // nothing is set: a row of the control's file may name a number above the highest variable
+  // nothing is set, because a row of the control's file may name a number above the highest variable
+  if (number >= all_.values.size()) return;
   journal_.keep(all_.values[number]);
   journal_.keep(all_.set[number]);
   all_.values[number] = value;

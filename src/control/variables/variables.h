@@ -41,7 +41,8 @@ class Variables {
   bool parameter_set(int index) const { return all_.parameters_set[static_cast<std::size_t>(index)]; }
   double raw_parameter(int index) const { return all_.parameters[static_cast<std::size_t>(index)]; }
 
-  /// Returns the number of the first variable of this kind, in the `nth` repetition of the rows; 0 if the control has no such rows.
+  /// Returns the number of the first variable of this kind; 0 if the control has none. A control may repeat the rows of its variables (for
+  /// example once for each work offset): `nth` selects the repetition.
   std::uint32_t first(VariableKind kind, std::uint32_t nth = 0) const;
 
   /// Returns true if a system variable that changes the frames was written since the last call; the caller then recomputes the frames.
@@ -50,13 +51,14 @@ class Variables {
   /// The values of variables, by number, and of parameters, by index.
   struct Values {
     std::vector<double> values, parameters;
-    std::vector<std::uint8_t> set, parameters_set;  // 1 if the program or the set-up has written the value
+    // for each variable and parameter: 1 if the program or the set-up has written its value, otherwise 0
+    std::vector<std::uint8_t> set, parameters_set;
     friend bool operator==(const Values&, const Values&) = default;
   };
   const Values& all() const { return all_; }
   void put(const Values& all) { all_ = all; }
 
-  bool inch = false;  // variables that are lengths are read and written in inches
+  bool inch = false;  // true in inch mode: variables that are lengths are read and written in inches
 
  private:
   VariableKind kind_of(std::uint32_t number) const;

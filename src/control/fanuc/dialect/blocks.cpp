@@ -129,7 +129,7 @@ Status take_spindle_words(BlockContext& m) {
     first = &w;
   }
   if (first == nullptr || p == nullptr || codes) return {};
-  // 11.1.1: S and P must be the only words of the block
+  // 11.1.1: a block with a spindle number P has only the words S and P
   if (m.block->word_count > 2) return fail(alarm(AlarmId::own_block, p->where, m.block->text_of(first->where)));
   const auto number = m.whole('P', 1, max_spindles);
   if (!number) return fail(number.error());
@@ -188,9 +188,9 @@ Result<bool> before_plan(Interpreter& m) {
   if (const auto called = call_with_words(m); !called || *called) return called;
   const bool looks_closer = watches_words(m) || watches_codes(m);
   if (m.block->repeated && m.block->checked == m.block->letters && !m.block->codes_vary &&
-      !looks_closer) {  // an earlier execution of this block has checked its words …
+      !looks_closer) {  // if an earlier execution of this block has checked the words, only increments and values are processed again
     if (!m.block->calls_macro) count_increments(m);
-    // … but the values of expressions may have changed since that execution
+    // values of expressions may have changed since the block was executed before, so their ranges are checked again
     if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));
     if (!m.block->calls_macro) note_words(m);
     else if (m.block->has_number) macro_b_of(m).state.words.n = m.block->number;

@@ -232,7 +232,8 @@ void Fanuc::reset_program(Interpreter& m) {
 }
 
 bool Fanuc::end_program(Interpreter& m) {
-  if (settings.part_code == 0) MacroB::state.parts_done += 1;  // 13.1; if N2305 sets a part code, note_code() counts the parts instead
+  // 13.1: the end of the program counts a part, unless N2305 gives an M code that counts parts (note_code())
+  if (settings.part_code == 0) MacroB::state.parts_done += 1;
   reset_program(m);
   return true;
 }

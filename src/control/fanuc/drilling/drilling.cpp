@@ -93,13 +93,14 @@ class Drilling {
     const AxisMask drills = AxisMask{1} << axis;
     if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
-    const bool by_level = m_.def.behaviour.shifts_by_q();               // a block with R alone drills too (spec/fanuc 10.1)
-    if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: without axis words the cycle is not executed
+    // a block with R but without axis words also drills (spec/fanuc 10.1)
+    const bool by_level = m_.def.behaviour.shifts_by_q();
+    if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: a block without axis words does not execute the cycle
     KADR_TRY(resume_from(*bottom));
     double passes = 1;
     const char repeats = m_.def.behaviour.repeats_by_k && m_.has('K') ? 'K' : 'L';
     if (m_.has(repeats)) {
-      // K is a number of holes, not a length, so its scaling is undone
+      // The reader has scaled K like a length without a decimal point. K is a number of holes here, so the scaling is undone.
       passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);
       if (passes != std::floor(passes)) return fail(alarm(AlarmId::word_not_integer, m_.where(repeats), repeats, passes));
       if (!(passes >= 0 && passes <= max_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
@@ -202,7 +203,7 @@ class Drilling {
       if (!seconds) return fail(seconds.error());
       KADR_TRY(not_negative('P', *seconds, memory_.dwell));
     } else if (m_.has('P') && !m_.has_code({Function::dwell_or_turns}))
-      KADR_TRY(not_negative('P', m_.value('P'), memory_.dwell));  // 18.2: P is the dwell, as in G4
+      KADR_TRY(not_negative('P', m_.value('P'), memory_.dwell));  // 18.2: P is the dwell at the bottom of the hole, with the unit of G4
     return {};
   }
 
@@ -256,7 +257,7 @@ class Drilling {
       }
     }
     if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && memory_.shift.x > 0 &&
-        (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3: each peck is shorter than the previous one
+        (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3: with word I in G73 or G83, each peck is shorter than the previous one
       job.peck = memory_.shift.x;
       job.less = std::max(memory_.shift.y, 0.0);
       job.least = std::max(memory_.shift.z, job.less > 0 ? tol::level : 0.0);
@@ -352,7 +353,7 @@ Status check_increment_of_r(const BlockContext& m) {
   const Word* const r = m.word('R');
   if (r == nullptr || !r->incremental || drilling_on(m) ||
       m.has_code({Function::drilling, Function::set_tables, Function::plane_rotation_on}))
-    return {};  // 5.1: a cycle permits the operator I in R; the other two codes use R for another purpose
+    return {};  // 5.1: an R word with the operator I is allowed in a drilling cycle, and in the blocks of G10 and G68, where R is no level
   return fail(alarm(AlarmId::increment_not_allowed, r->where, r->written));
 }
 

@@ -28,25 +28,27 @@ class DrillingRun final : public SteppedCycleValue<DrillingRun> {
  public:
   /// The data of one block, from the program and the parameters. Levels are programmed coordinates in mm.
   struct Job {
-    std::int32_t code = 0;  // code in tenths; for an alias, the code of the cycle that the alias executes
+    std::int32_t code = 0;  // code of the cycle in tenths; if another code stands for the cycle, the code of the cycle itself
     std::size_t axis = 0;   // the drilling axis
     std::uint32_t passes = 1;
     double initial = 0, level = 0, bottom = 0;
-    bool to_initial = true;          // G98: the tool returns to the initial level; false (G99): to R
-    double peck = 0, clearance = 0;  // Q and E in mm of machine travel, so they are not scaled (18.0)
-    double dwell = 0;                // dwell P in seconds or revolutions
-    Vec2 shift;                      // shift of G76, G87 in the plane, mm; mirroring, rotation and scaling do not act on the shift
-    double out_percent = 100;        // feed of the retract (operation 7) in % of the programmed feed
-    double between_percent = 100;    // feed of a tap's return to R between pecks, in % of the programmed feed
-    bool back_boring = false;        // G87 with a spindle that can be oriented
+    bool to_initial = true;  // true (G98): after the hole the tool returns to the initial level; false (G99): to the R level
+    // words Q (depth of a peck) and E (clearance), in mm of machine travel, on which scaling does not act (18.0)
+    double peck = 0, clearance = 0;
+    double dwell = 0;  // dwell P at the bottom of the hole, in seconds, or in G95 in revolutions of the spindle
+    // vector in the plane by which G76 and G87 shift the tool, mm; mirroring, rotation and scaling do not act on it
+    Vec2 shift;
+    double out_percent = 100;      // feed of the retract from the hole (operation 7) in % of the programmed feed
+    double between_percent = 100;  // feed of a tap's return to R between pecks, in % of the programmed feed
+    bool back_boring = false;      // back boring: G87 with a spindle that can be oriented
     // PTC=1: between pecks a tap returns to R, as G83 does; false: it returns by a short distance, as G73 does
     bool pecks_to_level = false;
     // hole positions of a pattern, programmed coordinates in mm; empty if the words of the block give the position
     std::vector<Vec2> points;
     double less = 0, least = 0;  // each peck is shorter by `less` than the previous one, but not shorter than `least`, mm (spec/haas 8.3)
-    double rise = 0;             // height above R to which the tool returns between pecks, mm
+    double rise = 0;             // height in mm above R to which the tool returns between pecks
     double clear_after = 0;      // depth in mm that the pecks cut before the tool returns to R (spec/haas 8.3); 0: the tool never returns
-    bool orients_tap = false;    // TSC=1: M19 orients the spindle before rigid tapping
+    bool orients_tap = false;    // parameter bit TSC = 1: M19 orients the spindle before rigid tapping
   };
   explicit DrillingRun(Job job);
 
@@ -81,8 +83,8 @@ class DrillingRun final : public SteppedCycleValue<DrillingRun> {
   double peck_ = 0;  // depth of the next peck, mm
   Axes hole_{};
   std::uint32_t pass_ = 0;
-  std::size_t at_ = 0;      // index of the cycle's next step; 0: operation 1
-  std::uint32_t part_ = 0;  // phase within a peck: 1 the return to R, 2 the motion to the start of the next cut, other values the cut
+  std::size_t at_ = 0;      // index of the next step of the drilling cycle; 0: operation 1
+  std::uint32_t part_ = 0;  // phase within a peck: 1 return to the R level, 2 motion to the start of the next cut, other values: cut
   double depth_ = 0;        // level that the pecks have reached, programmed coordinate in mm
   double cut_ = 0;          // depth cut since the last return to R, mm
   bool stands_off_ = false;

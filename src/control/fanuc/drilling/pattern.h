@@ -1,5 +1,5 @@
 #pragma once
-// Hole patterns: G70 on a circle, G71 on an arc, G72 along a line (spec/haas 8.5).
+// Positions of holes in a pattern: on a circle (G70), on an arc (G71), along a line (G72) (spec/haas 8.5).
 
 #include <vector>
 

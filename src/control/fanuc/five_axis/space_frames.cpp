@@ -15,7 +15,7 @@ constexpr Vec3 axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};
 // The limit by which three points are "almost on one line" (25.8): the sine of the angle at one of them is below least_sine. The manual's
 // limit is UNKNOWN; spec/nct/25f suggests this value.
 constexpr double least_sine = 1e-4;
-constexpr double least_distance = 1e-3;  // least permitted distance between two points, mm
+constexpr double least_distance = 1e-3;  // least distance in mm between two of the three points that define a tilted plane
 
 FiveAxisState& frame_state(const BlockContext& m) { return fanuc_of(m).state.five_axis; }
 

@@ -102,14 +102,14 @@ void roll_positions(const BlockContext& m, Axes& positions) {
 }
 
 double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) {
-  double linear = 0, rotary = 0;  // squares of the distances: of the linear axes in mm², of the rotary axes in degrees²
+  double linear = 0, rotary = 0;  // sums of the squared travels: of the linear axes in mm², of the rotary axes in degrees²
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const bool rolls = motion.detail && (motion.detail->rolled >> a & 1u) != 0;
     const double travel = rolls ? motion.detail->travel[a] : motion.to[a] - from[a];
     ((m.def.rotary >> a & 1u) != 0 ? rotary : linear) += travel * travel;
   }
   if (rotary == 0 || m.modal.surface != PathSurface::plane || controls_tip(fanuc_of(m).state.five_axis.tip_control)) return m.modal.feed;
-  const double feed = m.modal.feed / mm_per_inch;  // inches per minute, or degrees per minute
+  const double feed = m.modal.feed / mm_per_inch;  // programmed feed in inches per minute, or for rotary axes in degrees per minute
   return feed * std::sqrt((linear + rotary) / (linear / (mm_per_inch * mm_per_inch) + rotary));
 }
 

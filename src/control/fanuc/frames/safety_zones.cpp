@@ -51,7 +51,8 @@ Status work_area_off(Emitter& m, const Call&) {
     zone.most[a] = p.value(most, number);
     zone.least[a] = p.value(least, number);
   }
-  if (zone.axes == 0) zone = {false, false, 1, {}, {}, true};  // the parameters describe no zone
+  // no axis takes part, so the parameters describe no zone, and an empty zone is emitted
+  if (zone.axes == 0) zone = {false, false, 1, {}, {}, true};
   m.emit(zone);
   m.emit(ZoneChange{p.bit(control, before), false, 0, {}, {}, true});
   // from now on the machine may refuse a motion, so run() returns the actions of each block separately

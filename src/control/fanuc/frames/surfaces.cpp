@@ -81,7 +81,7 @@ double swept_about_pole(const FlatArc& arc) {
   const Vec2 arm = arc.from - arc.center;
   const double growth = length(arm) > 0 ? length(arc.to - arc.center) / length(arm) : 1;
   const double turns = std::fabs(arc.turns);
-  double whole = 0;  // full revolutions of a circle with constant radius; they need no sampling
+  double whole = 0;  // number of full revolutions of a circle with constant radius, whose swept angle is known without sampling points
   if (std::fabs(growth - 1) < tol::same_point) whole = std::floor(turns);
   const double around = length(arc.center) < length(arm) ? 360 : 0;
   const double left = std::min(turns - whole, max_sampled);
@@ -117,7 +117,8 @@ Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMas
   const AxisMask both = 1u << plane.first | 1u << plane.second;
   const bool in_plane = (named & both) != 0;
   const bool polar = m.modal.surface == PathSurface::polar;
-  const bool real_rapid = kind == MotionKind::rapid && !polar;  // on the cylinder a rapid motion moves the real axes (4.6)
+  // in G7.1 a rapid motion moves the real axes, so no path on the cylinder is added to the motion (4.6)
+  const bool real_rapid = kind == MotionKind::rapid && !polar;
   if (polar && in_plane) {
     // The rotary axis follows the straight line continuously. Along a line it turns by at most half a revolution, so the nearer of two
     // possible angles is right.

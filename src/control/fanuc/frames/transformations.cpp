@@ -72,7 +72,7 @@ bool is_linear(const BlockContext& m, std::size_t axis) {
 Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   factors.fill(1);
   const Settings& settings = fanuc_of(m).settings;
-  // parameter 5400#6 decides whether I, J, K are allowed (spec/fanuc 6.9)
+  // On a control with parameter 5400, its bit 6 decides whether G51 may give the scale factors I, J, K (spec/fanuc 6.9).
   const bool by_parameter = !m.def.grammar.least_increments.empty();
   const bool each = (m.has('I') || m.has('J') || m.has('K')) && (!by_parameter || settings.scale_each);
   if (by_parameter && !each)

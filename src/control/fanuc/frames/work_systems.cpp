@@ -159,7 +159,7 @@ Status machine_move(Emitter& m, const Call& call) {
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     to[m.frames.driven(a)] = v;
     named |= 1u << a;
-    // An axis that rolls over moves as with G90 (5.6).
+    // In G53 a rotary axis that rolls over turns in the direction in which it turns with G90 (5.6).
     if (const fanuc::AxisSettings& axis = fanuc_of(m).settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {
       const double from = fanuc::rolled_position(m.position.machine[a], axis.period);
       fanuc_of(m).travel[a] = fanuc::roll_travel(axis, from, v, false);

@@ -192,7 +192,7 @@ class Arc {
   }
 
   Status emit_arc_motion(const PlaneArc& arc) {
-    // the usual case: the block has nothing to transform
+    // The usual case: no mirroring, scaling, rotation or interpolation on a surface is in force, so the end point is not transformed.
     if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {
       const Axes from = m_.position.work;
       return control_tip(m_, move(arc, end_), from);
@@ -226,9 +226,9 @@ class Arc {
     return motion;
   }
 
-  /// Returns true if the radius of the arc changes although L does not request a spiral: "not the speed along the path is constant, but the
-  /// angular velocity" (4.3). INFERRED: the programmed feed is the feed at the start of the arc. Returns false for a helix and for an arc
-  /// in cylindrical interpolation.
+  /// Returns true if the arc has a constant angular velocity, not a constant speed along the path. According to 4.3 this holds for an arc
+  /// whose radius changes although L does not request a spiral. INFERRED: the programmed feed is the feed at the start of the arc. Returns
+  /// false for a helix and for an arc in cylindrical interpolation.
   bool turns_evenly(const PlaneArc& arc) const {
     const AxisMask in_plane = AxisMask{1} << plane_.first | AxisMask{1} << plane_.second;
     const bool flat = (named_ & ~in_plane) == 0 && m_.modal.surface == PathSurface::plane;
@@ -260,7 +260,7 @@ class Arc {
   Emitter& m_;
   const Call& call_;
   Turn programmed_turn_;
-  Turn turn_;  // sense of rotation after mirroring, because from_ and to_ are transformed points
+  Turn turn_;  // sense of rotation of the arc after mirroring, because the points from_ and to_ are mirrored too
   PlaneAxes plane_;
   CenterLetters letters_;
   Axes end_{};

@@ -20,7 +20,7 @@ CornerData in_work(const BlockContext& m, CornerData c) {
   const Transform& t = m.transform;
   if (t.identity) return c;
   const PlaneAxes& plane = m.modal.axes;
-  // direction of the line as a vector, scaled in the same way as the line
+  // The direction of the line is transformed as the difference of two points, so it is scaled in the same way as the line.
   const Vec2 direction = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);
   if (const double size = length(direction); size > 0) c.direction = 1 / size * direction;
   c.chamfer *= t.corner_scale(plane);

@@ -19,7 +19,7 @@ namespace kadr::fanuc {
 bool has_geometry_words(const BlockContext& m);
 bool has_shape_words(const BlockContext& m);
 
-/// The axes of the plane that have a word in the block.
+/// Which of the two axes of the plane have a word in the block.
 struct PlaneWords {
   bool first = false, second = false;
   bool both() const { return first && second; }

@@ -39,7 +39,8 @@ std::string_view code_of(const BlockContext& m, std::string_view group) {
 Status needs(const BlockContext& m, const Call& call, const Needed& needed) {
   const std::string_view code = code_of(m, needed.group);
   if (code.empty() || code == needed.code) return {};
-  return fail(alarm(AlarmId::probe_state, call.where, code));  // INFERRED: the alarm names the code in force
+  // INFERRED: the alarm names the code in force, not the code that measuring needs
+  return fail(alarm(AlarmId::probe_state, call.where, code));
 }
 
 /// Checks that G15, G50, G50.1, G69, G94 are in force, and that polar interpolation is off (21.1, 21.3, 4.5).
@@ -183,7 +184,7 @@ Status measure_length(Emitter& m, const Call& call) {
   const auto feed = measuring_feed(m, s.length_parameter_feed, s.length_feed, call.where);
   if (!feed) return fail(feed.error());
   const double expected = to[*axis];
-  // INFERRED: the side of the expected position from which the axis approaches
+  // INFERRED: the tool approaches the expected position from the side on which it is now
   const double side = m.position.programmed[*axis] < expected ? -1 : 1;
   to[*axis] = expected + side * s.length_rapid;
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
@@ -198,8 +199,8 @@ Status measure_length(Emitter& m, const Call& call) {
 namespace fanuc {
 namespace {
 
-/// Corrects the offset that H selected by the difference q − Q (position of the signal less expected position), as TMW and TCA command.
-/// INFERRED: the new value takes effect with the next H.
+/// Corrects the length offset that H selected by the difference q − Q: the expected position q less the position Q of the probe's signal.
+/// Parameter bit TMW selects wear or geometry, TCA the sign. INFERRED: the new value takes effect with the next H.
 Status correct_length(BlockContext& m, const Measurement& of, double there) {
   const double deviation = of.expected - there;
   if (!(std::fabs(deviation) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));

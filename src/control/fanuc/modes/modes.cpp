@@ -156,7 +156,8 @@ Result<double> dwell_seconds(Emitter& m, double p, Span where) {
   const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
   // a dwell in revolutions never ends while the spindle does not turn (8)
   if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));
-  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // INFERRED (8): the real spindle speed counts, including the override
+  // INFERRED (8): a dwell in revolutions counts revolutions at the real spindle speed, which includes the override
+  return p * 60 / (rpm * fanuc_of(m).spindle_part);
 }
 
 }  // namespace kadr::fanuc

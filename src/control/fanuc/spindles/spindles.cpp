@@ -247,7 +247,8 @@ Status Fanuc::machine_code(Interpreter& m, const Call& call) {
 Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
   const int number = state.current_spindle;
   for (int i = 0; i <= static_cast<int>(max_spindles); ++i) {
-    const int n = i == 0 ? number : i;  // 11.2: the spindle to which a word referred last comes first
+    // 11.2: if several spindles have this code, the spindle to which the last spindle word referred has priority
+    const int n = i == 0 ? number : i;
     const SpindleSettings& s = settings.spindles[static_cast<std::size_t>(n)];
     if (s.index_count > 0 && code >= s.index_from && code < s.index_from + s.index_count) {
       KADR_TRY(loop_closed(m, n, where));

@@ -13,33 +13,34 @@ namespace kadr::fanuc {
 /// The words of a drilling cycle, which are modal while the cycle mode is on. When the mode ends, they are deleted: R and the bottom become
 /// increments of 0, all other words 0 (18.0).
 struct DrillingMemory {
-  std::size_t axis = 0;                          // the drilling axis
-  double initial = 0;                            // initial level in programmed coordinates, mm
-  double level = 0, bottom = 0;                  // R and the bottom of the hole as programmed, mm
-  bool level_added = true, bottom_added = true;  // true for an increment: R counts from the initial level, the bottom from R
+  std::size_t axis = 0;          // the drilling axis
+  double initial = 0;            // initial level in programmed coordinates, mm
+  double level = 0, bottom = 0;  // R level and bottom of the hole as programmed, mm
+  // true: the value is an increment, R from the initial level, the bottom from R; false: the value is absolute
+  bool level_added = true, bottom_added = true;
   bool level_known = false, bottom_known = false;
-  Vec3 shift;             // I, J, K of G76 and G87, mm
-  double percent = 0;     // percentage I of G85, G89, G84.2, G84.3; 0 if it is not programmed
+  Vec3 shift;             // I, J, K of G76 and G87: shift of the tool in the plane, mm
+  double percent = 0;     // percentage I of the cycles G85, G89, G84.2, G84.3 for the feed of the retract; 0 if I is not programmed
   double peck = 0;        // depth Q of a peck, mm; 0 if it is not programmed
-  double clearance = -1;  // distance E above the depth reached, mm; -1 if it is not programmed
-  double dwell = 0;       // dwell P in seconds or revolutions
+  double clearance = -1;  // word E: distance in mm above the depth reached, where the next peck starts; -1 if E is not programmed
+  double dwell = 0;       // dwell P at the bottom of the hole, in seconds, or in G95 in revolutions of the spindle
 };
 
 /// The data of the first blocks of two-block turning cycles, which are valid until programmed again, and the data of the simple turning
 /// cycle in force. Lengths are in mm.
 struct TurningMemory {
-  double depth = 0, back = 0;  // G71.7, G72.7: depth of a pass, and length of the retract at 45°
-  Vec2 relief;                 // G73.7: offset of the first pass in the plane
+  double depth = 0, back = 0;  // G71.7, G72.7: depth of a roughing pass, and length of the retract at 45° after the pass
+  Vec2 relief;                 // G73.7: vector in the plane by which the first pass is offset from the contour
   std::uint32_t passes = 0;
-  double groove_back = 0;  // G74.7, G75.7: length of the retract
-  // G76.7; `finishing`: number of finishing passes
+  double groove_back = 0;  // G74.7, G75.7: length of the retract after each peck in a groove
+  // thread cycle G76.7: number of finishing passes
   std::uint32_t finishing = 1;
-  double chamfer = 0;     // length of the run-out, in thread leads
+  double chamfer = 0;     // length of the run-out at the end of the thread, in thread leads
   double tool_angle = 0;  // angle of the threading tool, degrees
-  double least = 0;       // least depth of a thread pass
-  double allowance = 0;   // depth that is left for the finishing passes
+  double least = 0;       // least increase of depth from one thread pass to the next
+  double allowance = 0;   // depth of the thread that is left for the finishing passes
   // simple turning cycles
-  std::int32_t code = 0;  // code in tenths of the simple cycle in force: 777, 787 or 797; 0 if there is none
+  std::int32_t code = 0;  // code in tenths of the simple turning cycle in force: 777 (G77.7), 787 or 797; 0 if no such cycle is in force
   std::array<double, 2> target{};
   std::array<bool, 2> known{};
   double taper = 0;
@@ -48,8 +49,8 @@ struct TurningMemory {
 
 /// A contour that G70.7 executes block by block: where the contour ends, and the point to which the tool returns afterwards.
 struct Finishing {
-  std::size_t depth = 0;          // number of open calls during the blocks of the contour
-  std::uint64_t contour_end = 0;  // offset in the file just after the contour's last block
+  std::size_t depth = 0;          // number of open calls while the blocks of the contour are executed
+  std::uint64_t contour_end = 0;  // offset in the program file just after the contour's last block
   Vec2 start;                     // point in the plane to which the tool returns, in programmed coordinates, mm
   Origin origin;                  // location of the block with G70.7
 };
@@ -58,9 +59,9 @@ struct Finishing {
 struct Measurement {
   bool length = false;       // G37: the measurement corrects a length offset; false: G31
   std::size_t axis = 0;      // the measured axis
-  double expected = 0;       // work coordinate in mm at which the signal is expected
-  double window = 0;         // N3005: greatest permitted distance of the signal from `expected`, mm
-  std::uint32_t offset = 0;  // number of the offset to be corrected
+  double expected = 0;       // G37: work coordinate in mm at which the probe's signal is expected
+  double window = 0;         // N3005: greatest permitted distance in mm of the probe's signal from `expected`
+  std::uint32_t offset = 0;  // number of the tool length offset that G37 corrects
 };
 
 }  // namespace kadr::fanuc

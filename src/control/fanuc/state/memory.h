@@ -21,7 +21,7 @@
 namespace kadr::fanuc {
 
 struct SpindleState {
-  bool known = false;  // the set-up lists this spindle
+  bool known = false;  // true: the set-up lists this spindle
   int channel = 1;
   double rpm = 0;  // programmed speed in rev/min, limited to the selected gear range
   SpindleDir dir = SpindleDir::stop;
@@ -35,36 +35,38 @@ struct SpindleState {
 /// The part of the memory that even a block with motions only may change. It is saved at the start of each block, so that an alarm can
 /// restore it.
 struct MotionMemory {
-  bool rigid_tap = false;  // M29 is in force (spec/fanuc 10.4)
+  bool rigid_tap = false;  // M29 is in force: G84 and G74 tap rigidly (spec/fanuc 10.4)
   Axes through{};          // intermediate point of the last G28 or G30, in programmed coordinates (spec/fanuc 6.6)
   bool has_through = false;
-  bool in_thread = false;               // the previous motion was a thread too
-  double thread_lead = 0;               // thread lead, mm; 0: none
-  double surface_angle = 0;             // position of the rotary axis in G12.1 in degrees, which may be outside 0 … 360
-  AxisMask smoothed = 0;                // axes that G5.1 has named for smoothing; 0 means all linear axes
+  bool in_thread = false;  // the previous motion was a pass of a thread
+  double thread_lead = 0;  // last programmed thread lead, mm; 0: no lead was programmed
+  // in polar interpolation (G12.1): position of the rotary axis in degrees, which may be outside 0 … 360
+  double surface_angle = 0;
+  AxisMask smoothed = 0;                // axes that G5.1 has named for path smoothing; 0 means all linear axes
   SideStep side_step = SideStep::none;  // whether the next motion in the plane starts or ends cutter compensation
-  bool compensates = false;             // a motion has been executed with cutter compensation since G41, G42
+  bool compensates = false;             // since G41 or G42, at least one motion has been executed with cutter compensation
 };
 
-/// The cutting state of a run in addition to ControlState. An alarm restores it as one value.
+/// The state of spindles, cycles and compensation that a block may change, apart from the data in ControlState. An alarm restores this
+/// state as one value.
 struct UndoableState : MotionMemory {
   std::array<SpindleState, max_spindles + 1> spindles;
-  int current_spindle = 1;  // number of the spindle to which a word referred last (11.2)
+  int current_spindle = 1;  // number of the spindle to which the last spindle word referred (11.2)
   int main_spindle = 1;
-  double surface_speed = 0;  // constant surface speed of G96, m/min
-  int css_axis = 0;          // number of the axis of the constant surface speed; the count includes the axes of all channels
+  double surface_speed = 0;  // constant surface speed that G96 has commanded, m/min
+  int css_axis = 0;          // number of the axis whose position is the diameter for G96; the count includes the axes of all channels
   double max_css_speed = 0;  // highest spindle speed in rev/min, set by G92 S; 0: no limit
   DrillingMemory drilling;
   TurningMemory turning;
   double tool_radius = 0;                // tool radius in mm of offset D, stored when D was programmed (15.1)
   std::optional<Vec2> direction_vector;  // direction vector I J K of G41, G42, G40
-  CompensationCheck compensation_check;  // the compensation settings that were sent to the room `path` last
+  CompensationCheck compensation_check;  // settings of compensation that the room `path` received last
   FiveAxisState five_axis;
 };
 
-inline constexpr std::size_t extended_systems = max_further_systems;  // number of work systems of G54.1 P
+inline constexpr std::size_t extended_systems = max_further_systems;  // number of further work systems that G54.1 P selects
 inline constexpr std::size_t all_systems = 1 + macro_b::basic_systems + extended_systems;
-// the offsets G54.2 P1 … P8 have the last rows in the tables of work offsets and rotations
+// The dynamic offsets that G54.2 P1 … P8 selects have the last eight rows in the tables of work offsets and rotations.
 inline constexpr std::size_t dynamic_systems = 8;
 
 /// The data of canned cycles, saved at the start of an interrupt macro and restored at its end (23.4).
@@ -82,35 +84,36 @@ struct Memory {
   std::map<int, std::string> spindle_names;
   std::vector<Finishing> finishing;  // contours that G70.7 is executing, the innermost contour last
   InterruptedCycles interrupted_cycles;
-  AxisDrives driven;                                  // the machine axis that each programmed axis drives
-  AxisMask following = 0;                             // axes that follow another axis
-  std::uint8_t drilling_group = 0, motion_group = 0;  // indices of two modal groups: the group of G80, and the group of G0
-  std::int16_t slowing = -1;                          // index of G62 in ControlDef::codes
-  std::uint64_t without_point = 0;                    // letters whose numbers may have no decimal point (spec/fanuc 1.3)
+  AxisDrives driven;       // for each programmed axis, the machine axis that it drives
+  AxisMask following = 0;  // axes that follow another axis, their master
+  // indices of the modal group of G80 (drilling cycles) and of the modal group of G0 (motions)
+  std::uint8_t drilling_group = 0, motion_group = 0;
+  std::int16_t slowing = -1;        // index in ControlDef::codes of G62, the automatic feed override at corners
+  std::uint64_t without_point = 0;  // letters whose numbers may have no decimal point (spec/fanuc 1.3)
   // data of the block being executed
   bool holds_vector = false;     // the block has G38, which keeps the compensation vector
   bool uncompensated = false;    // the block has G53, G28 or G30, whose motions are not compensated
   int spindle_by_p = 0;          // number of the spindle, for a block such as S1500 P2; 0 if the block has no P for a spindle
-  bool absolute_block = false;   // the block's axis words are absolute even with G91 (17.3)
-  bool cartesian_block = false;  // the block's axis words are Cartesian even with G16 (5.4)
+  bool absolute_block = false;   // the block's axis words are absolute even while G91 (incremental) is in force (17.3)
+  bool cartesian_block = false;  // the block's axis words are Cartesian even while G16 (polar coordinates) is in force (5.4)
   AxisMask rolled = 0;           // rotary axes of the block that roll over (5.6); `travel` has their travels in degrees
   Axes travel{};
-  AxisMask plane_axes = 0;    // axes whose letter is in the block, with or without a number
+  AxisMask plane_axes = 0;    // axes whose letter is in the block, with or without a number; such a letter selects an axis of the plane
   AxisMask taken_up = 0;      // axes without a word that the block's motion also positions, at their last programmed coordinates (25h)
   AxisMask by_direction = 0;  // rotary axes that I J K of the block position; `directed` has the positions (25.14)
   Axes directed{};
   Vec3 normal_before;  // surface normal at the start of the block's motion (25.17)
-  // data of the machine and its operator
-  std::array<std::pair<double, double>, max_axes> axis_limits{};  // lowest and highest position of each axis, machine coordinates
-  double spindle_part = 1;                                        // spindle override as a fraction, so that 1 means 100 %
-  double singular = 0;                                            // tolerance in degrees for a singular direction (Setup::kinematics)
-  Axes servo_lag{};                                               // following error in mm of each axis, as the set-up gives it
+  // data about the machine: travel limits, spindle override, following error, probe
+  std::array<std::pair<double, double>, max_axes> axis_limits{};
+  double spindle_part = 1;  // spindle override as a fraction, so that 1 means 100 %
+  double singular = 0;      // tolerance in degrees for a singular direction (Setup::kinematics)
+  Axes servo_lag{};         // following error in mm of each axis, as the set-up gives it
   // pairs of an axis index and the number of the spindle converted to this axis (11.8)
   std::vector<std::pair<std::size_t, int>> spindle_axes;
   Axes probe_position{}, probe_length{};  // work coordinates and tool length (as a vector) at the time of the probe's signal, mm
   Axes probe_machine{};
   Measurement measurement;  // purpose of the probe motion in progress
-  // data for the state file: tables that have changed since that file was written
+  // for the state file: what has changed in the tables since that file was last written
   bool tables_changed = false;
   std::vector<std::uint32_t> changed_offsets;
 };

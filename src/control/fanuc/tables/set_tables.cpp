@@ -11,7 +11,7 @@
 namespace kadr::fanuc {
 namespace {
 
-constexpr char rotation_letters[] = {'I', 'J', 'K'};  // letters of the rotation angles in the planes G17, G18, G19
+constexpr char rotation_letters[] = {'I', 'J', 'K'};  // letters of the angles by which a work offset is rotated in the planes G17, G18, G19
 
 /// Sets a work offset by G10 L2, L20, L21. The new values replace the old values; in G91 or with the operator I, the new values are added
 /// to the old values.

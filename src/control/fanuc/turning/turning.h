@@ -27,7 +27,7 @@ namespace kadr::fanuc {
 ///   returns  true if the contour has ended
 Result<bool> end_contour(Interpreter& m);
 
-// ---- used by the files of the single cycles
+// ---- functions for the files of the turning cycles
 
 /// Each of these functions executes the second block of a compound cycle.
 Status finish(Interpreter& m, const Call& call);
@@ -40,7 +40,7 @@ Status compound_thread(Emitter& m, const Call& call);
 /// returns to `start`.
 struct ThreadPass {
   Vec2 from, to;
-  Vec2 start;          // point where the whole pass starts and ends
+  Vec2 start;          // point at which the tool starts the thread pass and to which it returns
   double lead = 0;     // thread lead, mm
   double angle = 0;    // spindle angle at the start of the thread, degrees
   double chamfer = 0;  // length in mm, along the thread's axis, of the run-out at 45° at the end of the thread

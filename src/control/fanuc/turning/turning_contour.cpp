@@ -38,7 +38,8 @@ class DryRun {
     m.transform = Transform();
     m.position.work = m.position.programmed;
     m.block_axes_taken = false;
-    m.modal.feed_known = true;  // the contour needs no feed here, because its F words apply to finishing only
+    // a feed is assumed to be known while the contour is read, because its F words apply to the finishing pass only
+    m.modal.feed_known = true;
     m.modal.feed = 1;
   }
   ~DryRun() {
@@ -249,7 +250,7 @@ Result<ContourLocation> find_contour(Interpreter& m, const Call& call) {
   BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
   reader.seek(*last);
   Block block;
-  (void)reader.next(block);  // a fault in the block is ignored here: it is reported when the block is executed
+  (void)reader.next(block);  // a fault in the contour's last block is ignored here, because the block's execution reports it
   return ContourLocation{*first, *last, reader.position()};
 }
 
@@ -279,7 +280,7 @@ std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces) {
     }
     const bool ccw = piece.kind == MotionKind::arc_ccw;
     const double sweep = 360 * piece.turns;
-    // start angle in degrees, measured in the arc's direction of rotation
+    // angle in degrees of the arc's start point, positive in the arc's direction of rotation
     const double begin = (ccw ? 1 : -1) * angle_deg(piece.from - piece.center);
     double done = 0;
     for (double quarter = 90 * (std::floor(begin / 90) + 1); done < 1; quarter += 90) {

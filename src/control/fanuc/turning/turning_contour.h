@@ -24,7 +24,7 @@ struct ContourPiece {
 };
 
 struct Contour {
-  std::vector<ContourPiece> pieces;  // the pieces in program order; the first piece starts at the tool's position
+  std::vector<ContourPiece> pieces;  // lines and arcs of the contour in program order; the first one starts at the tool's position
   Position contour_end;              // position in the program just after the contour's last block
   std::string_view uncompensated;    // G41 or G42 of the contour, which the cycle does not apply; empty if the contour has neither
   bool follows = false;              // the contour comes after the block of the cycle, so the program continues at `contour_end`
@@ -33,7 +33,7 @@ struct Contour {
 /// The positions of blocks P … Q in the file being read.
 struct ContourLocation {
   Position first, last;
-  Position contour_end;  // position just after block Q
+  Position contour_end;  // position in the file just after block Q, the last block of the contour
 };
 /// Finds the contour by the words P and Q of the current block. alarms  word_missing, contour_block_missing, contour_order
 Result<ContourLocation> find_contour(Interpreter& m, const Call& call);

@@ -21,7 +21,7 @@ class GrooveRun final : public SteppedCycleValue<GrooveRun> {
   /// follow one another.
   struct Job {
     bool deep_first = true;  // G74.7: the pecks are along the first axis of the plane
-    Vec2 start;              // start point: x along the pecks, y across the pecks
+    Vec2 start;              // start point of the grooving cycle: x along the pecks, y across the pecks
     Vec2 target;
     double peck = 0, step = 0;
     double back = 0, relief = 0;

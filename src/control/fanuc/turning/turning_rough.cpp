@@ -32,8 +32,8 @@ Status jump_after(Interpreter& m, const Contour& contour) {
 ///   depth   ─────╯ contour
 class Profile {
  public:
-  /// A pass along u. `from`, `to`: coordinates u of its ends. `open`: the pass starts at the coordinate u of the start point; otherwise in
-  /// a pocket.
+  /// A roughing pass along the coordinate u. `from`, `to`: coordinates u of its ends. `open`: true if the pass starts from the side of the
+  /// start point; false if it starts inside a pocket, into which the tool must plunge.
   struct Cut {
     double from, to;
     bool open;
@@ -58,7 +58,7 @@ class Profile {
       if (direction == 0 && std::fabs(travel) > tol::level) direction = travel;
       if (travel * direction < 0 && std::fabs(travel) > tol::level) return shape(piece);
       if (!p.pockets_ && depth > p.depth(piece.from) + tol::level) return shape(piece);
-      // Only the end of the contour may be above the start point.
+      // only at its end may the contour rise to a depth less than that of the start point
       if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);
       p.deepest_ = std::max(p.deepest_, depth);
     }

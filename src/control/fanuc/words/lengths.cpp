@@ -97,7 +97,8 @@ Status length_comp(Emitter& m, const Call& call) {
   const bool turning = call.row->arg == 43.7_g;
   if (turning && !fanuc_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
   if (call.row->arg == 0) KADR_TRY(fanuc::may_end_tip_control(m, call));
-  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: the lengths in X and Y end, because offsets for milling have none
+  // 15.4: the length offsets of a turning tool in X and Y end, because milling offsets have no lengths in X and Y
+  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};
   m.modal.turning_lengths = turning;
   fanuc::end_tip_control(m);
   if (call.row->arg == 0) {

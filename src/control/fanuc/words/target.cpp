@@ -55,7 +55,7 @@ tl::unexpected<Alarm> twice(const BlockContext& m, std::size_t axis) {
 bool is_diameter(const BlockContext& m, std::size_t axis) { return (m.modal.diameter >> axis & 1u) != 0; }
 
 double coordinate(const BlockContext& m, const Word& w, std::size_t axis) {
-  // 4.5: the word of the virtual axis is a length
+  // 4.5: in polar interpolation the word of the rotary axis is a length, as that axis stands for a virtual linear axis
   const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;
   const bool is_length = is_virtual || m.def.address(w.address).unit == WordUnit::length;
   const double v = w.value * (is_length ? m.unit_scale() : 1.0);
@@ -70,14 +70,14 @@ bool is_increment(const BlockContext& m, const Word& w) {
 /// Returns the position `c` of an axis that rolls over, reduced to [0, period) degrees.
 double rolled_position(double c, double period) {
   const double r = c - period * std::floor(c / period);
-  return r < period ? r : 0;  // 0 if rounding has raised r to a full period
+  return r < period ? r : 0;  // the result is 0 if rounding has raised the position to a full period
 }
 
 /// Returns the signed travel in degrees of a rotary axis that rolls over (5.6), from position c in [0, period) to the programmed value.
 double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment) {
   const double period = axis.period;
   if (increment) return axis.cuts_turns ? programmed - period * std::trunc(programmed / period) : programmed;
-  if (axis.by_sign) {  // INFERRED: parameter bit ABS has priority over ASH
+  if (axis.by_sign) {  // INFERRED: if both are set, parameter bit ABS (direction by sign) has priority over ASH (shorter direction)
     const double t = rolled_position(std::fabs(programmed), period);
     return programmed >= 0 ? rolled_position(t - c, period) : -rolled_position(c - t, period);
   }
@@ -120,7 +120,7 @@ Status target(const BlockContext& m, Axes& to, AxisMask& named) {
   // Each address occurs only once in a block, because blocks.cpp has checked the block.
   for (std::uint64_t left = m.block->letters & m.letters.axes; left != 0; left &= left - 1) {
     const Word& w = m.block->words[m.block->at[static_cast<std::size_t>(std::countr_zero(left))]];
-    if (w.address == 0) continue;  // a drilling cycle has hidden this word temporarily
+    if (w.address == 0) continue;  // a drilling cycle has hidden this word temporarily by an address of 0
     const std::size_t axis = m.def.address(w.address).axis;
     const bool polar_word = is_polar && (axis == plane.first || axis == plane.second);
     if ((named >> axis & 1u) != 0 || (polar_word && (axis == plane.first ? radius : angle) != nullptr)) return twice(m, axis);
@@ -128,7 +128,8 @@ Status target(const BlockContext& m, Axes& to, AxisMask& named) {
       (axis == plane.first ? radius : angle) = &w;
       continue;
     }
-    if ((fanuc.by_direction >> axis & 1u) != 0) continue;  // this word was made from I, J or K; take_directed() sets the position
+    // this rotary axis word replaces I, J or K of a tool direction; take_directed() sets the axis position
+    if ((fanuc.by_direction >> axis & 1u) != 0) continue;
     const double v = coordinate(m, w, axis);
     const AxisSettings& settings = fanuc.settings.axes[axis];
     const bool increment = is_increment(m, w);

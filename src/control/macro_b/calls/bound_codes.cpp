@@ -43,7 +43,8 @@ bool may_call(const Interpreter& m, char address, std::int32_t code) {
 Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& run) {
   const Word* const first = m.block->words.data();
   if (w.written == 'M' && &w != first)
-    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N may come before the M word that calls
+    // 23.3.5: before an M word that calls a macro, the block may have only N
+    return fail(alarm(AlarmId::illegal_address, first->where, first->written));
   CallRequest request;
   const auto place = macro_b_of(m).programs.system(m, static_cast<std::uint32_t>(program), w.where);
   if (!place) return fail(place.error());
@@ -56,7 +57,7 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
   KADR_TRY(arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()), arguments));
   if (!run.modal) return call(m, request, arguments, w.where);
   MacroB& macros = macro_b_of(m);
-  macros.keep_all();  // saved because a negative parameter makes the call modal, as G66 or G66.1 do (23.3.4)
+  macros.keep_all();  // saved for an alarm, because a negative parameter makes the call modal, like a call by G66 or G66.1 (23.3.4)
   macros.state.modal_calls.resize(macros.state.active_modal_calls);
   macros.state.modal_calls.push_back(
       {request.place.reader, request.place.start, 1, request.name, macros.settings.modal_each_block, w.written, w.code, arguments});
@@ -99,7 +100,7 @@ bool letter_calls(Interpreter& m, Word& w) {
 Result<bool> call_by_code(Interpreter& m) {
   const Settings& s = macro_b_of(m).settings;
   if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal}))
-    return false;  // no calls by other codes: in a block with G65 or G66, other codes are arguments
+    return false;  // in a block with G65 or G66, all other codes are arguments, so no code calls the program bound to it
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     if (w.address == 0 || w.bare || (w.written != 'G' && w.written != 'M')) continue;

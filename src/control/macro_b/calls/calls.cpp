@@ -22,7 +22,7 @@ constexpr std::uint32_t max_repeats = 99'999'999;
 Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_allowed) {
   CallRequest request;
   if (m.block->file_name.end != 0) {
-    // 23.3: of the calling codes, only G65 accepts a file name
+    // 23.3: of the codes that call a macro, only G65 accepts a file name in place of P
     if (!name_allowed) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));
     const auto place = macro_b_of(m).programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
     if (!place) return fail(place.error());
@@ -61,7 +61,8 @@ void close_call(MacroB& macros, const CallFrame& frame, std::size_t depth) {
 Result<std::uint32_t> repeats_of(const BlockContext& m) {
   const Word* const l = m.word('L');
   if (l == nullptr) return 1u;
-  const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1: the value of an expression is rounded
+  // 23.1.1: the number of repetitions L is rounded if an expression gives it
+  const double times = l->expression ? std::round(l->value) : l->value;
   if (times != std::floor(times)) return fail(alarm(AlarmId::word_not_integer, l->where, 'L', times));
   if (!(times >= 1 && times <= max_repeats)) return fail(alarm(AlarmId::value_out_of_range, l->where, 'L', times));
   return static_cast<std::uint32_t>(times);
@@ -138,7 +139,7 @@ Status return_from(Interpreter& m, const Call& code) {
   const std::size_t depth = m.program().depth();
   const auto left = m.flow.end_subprogram(code.where);
   if (!left) return fail(left.error());
-  if (!*left) {  // the subprogram runs again, so the call does not end
+  if (!*left) {  // the subprogram is to be repeated, so the call does not end yet
     if (opened_level && !m.def.behaviour.repeats_keep_locals) macros.variables.locals() = macros.repeated_arguments.back().second;
     return {};
   }

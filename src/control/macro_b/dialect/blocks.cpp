@@ -27,7 +27,8 @@ Result<bool> call_with_block(Interpreter& m) {
   if (macros.state.active_modal_calls == 0 || !macros.state.modal_calls[macros.state.active_modal_calls - 1u].each_block) return false;
   if (m.block->word_count == 0 || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
   Locals arguments;
-  KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is an argument, because no word of the block makes the call
+  // Every word of the block is an argument of G66.1, because no word of the block makes the call.
+  KADR_TRY(arguments_of(m, limits::block_words, arguments));
   KADR_TRY(call_modal(m, arguments));
   return true;
 }
@@ -103,7 +104,7 @@ void note_words(BlockContext& m) {
   take('F', words.f);
   take('H', words.h);
   take('M', words.m);
-  // also records spindle words with a number, such as S2=700 (11.1)
+  // A spindle word with a number, such as S2=700 (11.1), also counts as the last S.
   for (std::uint32_t i = 0; (m.block->letters & m.letters.spindles) != 0 && i < m.block->word_count; ++i)
     if (const Word& w = m.block->words[i]; w.address != 0 && m.def.address(w.address).function == Function::spindle_word) words.s = w.value;
   take('T', words.t);

@@ -145,7 +145,7 @@ Status MacroB::restore(BlockContext&, const DialectState& from) {
   static_cast<Memory&>(*this) = then.memory;
   parameters.resume_from(then.parameters);
   variables.resume_from(then.variables);
-  changes = Changes();  // no saved values, so that all rows are written to the state file again
+  changes = Changes();  // after a snapshot no value counts as saved, so all rows are written to the state file again
   before_ = {};
   return {};
 }

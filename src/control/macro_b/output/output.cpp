@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// in the top folder of the program memory.
 std::string program_path(const BlockContext& m) {
   const auto whole = [](const std::string& path) {
-    std::error_code error;  // ignored: without a working directory the path remains relative
+    std::error_code error;  // the error is ignored: if there is no working directory, the path remains relative
     return fs::absolute(path, error).lexically_normal();
   };
   const fs::path main = whole(m.program().main_file()), root = whole(macro_b_of(m).output.root() + "/").parent_path();

@@ -20,7 +20,7 @@ using files::parts_of;
 
 namespace {
 
-constexpr std::size_t longest_name = 60;  // greatest number of characters between < > (14.4.2)
+constexpr std::size_t longest_name = 60;  // greatest number of characters of a file name between < and > (14.4.2)
 constexpr double device_number = 31;
 constexpr double max_program_number = 99'999'999;
 constexpr int short_numbers = 9'999;  // the greatest program number that is written with O and four digits
@@ -188,7 +188,8 @@ Status OutputFile::name_device_file(std::string_view line, PrintKind kind) {
   const Result<std::string> path = path_in_root(file, program_);
   KADR_TRY(path);
   if (!writer_.has_room(percent))
-    return fail(alarm(AlarmId::file_write, {}, std::string_view(file)));  // checked here, before the existing file is emptied
+    // space on the disk is checked before open() empties an existing file
+    return fail(alarm(AlarmId::file_write, {}, std::string_view(file)));
   KADR_TRY(open(named_file(*path, file), 2, program_));
   const Status begun = writer_.write(percent);
   if (!begun) {

@@ -15,8 +15,8 @@
 namespace kadr::macro_b {
 namespace {
 
-constexpr int max_digits = 15;          // 0 < c + d < 16
-constexpr int max_binary_decimals = 8;  // c
+constexpr int max_digits = 15;          // greatest number of digits of a printed number: the format [cd] must satisfy 0 < c + d < 16
+constexpr int max_binary_decimals = 8;  // greatest number of decimals c in the format [c] of BPRNT
 constexpr std::string_view end_of_line = "\r\n";
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -193,7 +193,7 @@ std::string decimal(const std::vector<PrintPiece>& pieces, PrintValues values, P
 }
 
 Result<std::string> binary(const std::vector<PrintPiece>& pieces, PrintValues values) {
-  constexpr std::size_t longest = 10;  // the number of digits of 2^31
+  constexpr std::size_t longest = 10;  // number of digits of 2^31, the greatest magnitude of a value that BPRNT prints
   std::string bytes;
   for (const PrintPiece& piece : pieces) {
     if (!piece.slot) {

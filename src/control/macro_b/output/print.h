@@ -17,7 +17,7 @@ namespace kadr::macro_b {
 /// One element of a print statement: fixed characters, or the value of a variable.
 struct PrintPiece {
   std::string text;                 // fixed characters as they are printed; empty if the element is a value
-  std::optional<std::size_t> slot;  // index of the value in PrintValues; nullopt if the element is fixed text
+  std::optional<std::size_t> slot;  // index in PrintValues of the variable to print; nullopt if the element is fixed text
   std::uint8_t before = 0;          // digits before the decimal point (DPRNT only)
   std::uint8_t after = 0;           // digits after the decimal point
   friend bool operator==(const PrintPiece&, const PrintPiece&) = default;
@@ -31,11 +31,12 @@ enum class PrintKind : std::uint8_t { decimal, binary };
 
 /// The character that fills the unused leading positions of a number, as parameter N1757 Print Contr, bit #0 PNT, selects it.
 enum class PrintFill : std::uint8_t {
-  spaces,  // bit 0: a space is printed for the sign `+` and for each leading zero
-  none,    // bit 1: the sign `+` and leading zeros are omitted
+  spaces,  // bit PNT is 0: a space is printed for the sign `+` and for each leading zero
+  none,    // bit PNT is 1: neither the sign `+` nor leading zeros are printed
 };
 
-using PrintValues = std::span<const std::optional<double>>;  // values by PrintPiece::slot; nullopt for an empty variable
+// values of the variables to print, indexed by PrintPiece::slot; nullopt for an empty variable
+using PrintValues = std::span<const std::optional<double>>;
 
 /// Reads the reference to a variable (`#130`, `#[#1+2]`, `#_OFSX[1]`) at the start of `rest`, and returns the length of the reference in
 /// characters. The n-th successful call, counted from 0, reads the variable of slot n.

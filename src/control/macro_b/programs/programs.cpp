@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_name = 60;  // greatest number of characters between < and > (14.4.2)
+constexpr std::size_t max_name = 60;  // greatest number of characters of a program name between < and > (14.4.2)
 constexpr int max_parents = 16;       // greatest number of folders above the program that are searched for SystemMacros
 constexpr std::uint32_t most_short = 9999;
 constexpr std::size_t max_files = 10'000;  // greatest number of files of one folder that are examined

@@ -28,8 +28,8 @@ struct Moment;  // the values on which a pass of a loop depends, at one time
 class Endless {
  public:
   enum class Verdict : std::uint8_t {
-    go,       // the program jumps back: nothing shows that the loop is endless
-    endless,  // the loop would never end
+    go,       // the program makes the jump back, because nothing shows that the loop never ends
+    endless,  // the loop would never end, so the run stops with an alarm
     leave,    // the program continues after the loop, because a fault keeps the loop from ending
   };
   /// Decides before a jump back to `target` whether the loop that this jump closes would never end. `reader`: number of the file; `blocks`:
@@ -64,8 +64,8 @@ class Endless {
     std::uint64_t from = 0;  // offset in the file of the block that jumps back
     std::uint64_t passes = 0, next_look = 1;
     std::uint64_t arrived = 0;  // number of blocks that had been executed at the last jump
-    std::uint64_t seen = 0;     // value of `passes` when the snapshot was taken
-    std::size_t depth = 0;      // number of open calls at the jump
+    std::uint64_t seen = 0;     // number of the pass at which the snapshot was taken
+    std::size_t depth = 0;      // number of open calls at the jump back
     std::uint16_t reader = 0;
     std::shared_ptr<const Moment> snapshot;
   };

@@ -62,7 +62,7 @@ Status jump_to(Interpreter& m, Position target, Span where) {
 Status loop(Interpreter& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
   const Loop* const found = file.loop_from(m.block->position);
-  if (found == nullptr) return {};  // no alarm, because the file has more loops than Kadr records
+  if (found == nullptr) return {};  // Kadr records a limited number of loops in a file, so a loop that is not recorded raises no alarm.
   if (found->fault != no_alarm) return faulty(*found, s.where);
   if (!holds) m.flow.jump(found->after_end);
   return {};

@@ -21,10 +21,10 @@ class Changes {
   StateChanges take(Emitter& m);
 
  private:
-  std::map<std::pair<StateTable, std::string>, StateValue> tables_;  // saved rows of all tables except the variables
+  std::map<std::pair<StateTable, std::string>, StateValue> tables_;  // rows as they were saved last, of all tables except the variables
   double parts_done_ = 0, parts_required_ = 0, cutting_ms_ = 0;
   std::uint64_t parameters_ = 0;
-  bool all_ = true;  // all values are returned; true until the first take()
+  bool all_ = true;  // true until the first take(), which returns all values, changed or not
 };
 
 }  // namespace kadr::macro_b

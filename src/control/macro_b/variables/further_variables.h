@@ -26,14 +26,14 @@ Result<double> number_meant(const BlockContext& m, double number, Span where);
 /// The location where the value of a common variable beyond #999 is stored. further_variable() returns this location, or nullopt for any
 /// other kind of variable.
 struct FurtherVariable {
-  bool own = false;  // true: the value is stored apart from #1 to #999; false: the variable is another name for #number
+  bool own = false;  // true: the variable has a value of its own; false: the variable is another name for one of #1 to #999, #number
   std::uint32_t number = 0;
 };
 std::optional<FurtherVariable> further_variable(const VariableRow& row, std::uint32_t number, std::uint32_t index);
 double read_further(const BlockContext& m, FurtherVariable variable);
 void write_further(BlockContext& m, FurtherVariable variable, double value);
 
-/// Returns the number of milliseconds in one unit of #3002: 1, or 3,600,000 if the unit is an hour.
+/// Returns the number of milliseconds in one unit of the timer #3002: 1, or 3,600,000 if the unit is an hour.
 double cutting_unit(const VariableRow& row);
 double cutting_unit(const ControlDef& def);
 /// Returns the value of the timers #3020 to #3025 (spec/haas 2.4), in seconds.

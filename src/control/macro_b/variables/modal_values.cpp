@@ -11,7 +11,7 @@ namespace kadr::macro_b {
 namespace {
 
 constexpr int family_step = 1000;
-constexpr int extended_zero = 187;  // number that stands for the P of G54.1
+constexpr int extended_zero = 187;  // code that stands for word P of G54.1 in place of a letter
 
 }  // namespace
 

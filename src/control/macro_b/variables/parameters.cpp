@@ -14,7 +14,7 @@ namespace {
 
 constexpr double max_number = 9999;  // 24
 constexpr int bits_with_number = 8;  // Q0 to Q7 (24.1)
-constexpr int whole_value = -1;      // stands in place of a bit number and means the whole value
+constexpr int whole_value = -1;      // number in place of a bit number: the parameter as a whole is meant, not one of its bits
 
 /// Returns the number of values that a parameter has, by its scope: one value, or one value per channel, axis or spindle (24.0).
 int count_of(ParameterScope scope) {
@@ -214,18 +214,20 @@ Result<double> ParameterStore::read(double number, std::optional<double> bit, st
   const auto out_of_range = [&](char letter, double value) { return fail(alarm(AlarmId::value_out_of_range, where, letter, value)); };
   const auto whole = whole_within(number, 0, max_number);
   const ParameterId id = whole ? find(*whole) : ParameterId::none;
-  // 24.2, inferred: an unknown parameter raises an alarm
+  // 24.2, inferred: PRM raises an alarm if no parameter has this number
   if (id == ParameterId::none) return fail(alarm(AlarmId::parameter_unknown, where, number));
   const ParameterRow& of = row(id);
   const bool of_bits = of.type == ParameterType::bits;
   if (of_bits && !bit) return fail(alarm(AlarmId::parameter_argument, where, 2.0));
-  // 24.2, inferred: a missing index raises an alarm
+  // 24.2, inferred: PRM raises an alarm if the number of the axis or spindle is missing
   if (needs_index(of.scope) && !index) return fail(alarm(AlarmId::parameter_argument, where, 3.0));
   const auto nth_bit = whole_within(bit.value_or(0), 0, of_bits ? bits_with_number - 1 : -1);
-  if (bit && !nth_bit) return out_of_range('Q', *bit);  // this alarm is our choice, because the manual does not describe the case
+  // our choice: PRM raises an alarm for a bit that the parameter lacks; the manual does not describe this
+  if (bit && !nth_bit) return out_of_range('Q', *bit);
   const auto nth = whole_within(index.value_or(1), 1, count_of(of.scope));
   const bool there = nth && (of.scope != ParameterScope::axis || has_axis(*nth));
-  // this alarm is our choice, because the manual does not describe the case
+  // our choice: PRM raises an alarm for a channel, axis or spindle that does not exist, or for a global parameter; the manual does not
+  // describe this
   if (index && (!there || of.scope == ParameterScope::global)) return out_of_range('P', *index);
   const int at = index ? *nth : 0;
   return of_bits ? static_cast<double>(this->bit(id, *nth_bit, at)) : value(id, at);
@@ -241,11 +243,12 @@ Alarm beyond(char letter, const ParameterStore::Word& word) { return alarm(Alarm
 /// Returns the word P of the block as the index of a channel, axis or spindle; 0 if the parameter is global.
 Result<int> index_of(const Write& w, ParameterScope scope, int own_channel) {
   if (!w.p) {
-    if (needs_index(scope)) return fail(missing(w, 'P'));  // 24.1, inferred: a missing P raises an alarm
+    // 24.1, inferred: a block that writes a parameter of an axis or spindle raises an alarm if P is missing
+    if (needs_index(scope)) return fail(missing(w, 'P'));
     return scope == ParameterScope::channel ? own_channel : 0;
   }
   const auto index = whole_within(w.p->value, 1, count_of(scope));
-  // our choice for a global parameter, which the manual does not describe
+  // Our choice: P is an error if the parameter is global; the manual does not describe this case.
   if (!index || scope == ParameterScope::global) return fail(beyond('P', *w.p));
   return *index;
 }
@@ -253,7 +256,8 @@ Result<int> index_of(const Write& w, ParameterScope scope, int own_channel) {
 /// Returns the word Q of the block as a bit number. For a parameter without bits, returns whole_value.
 Result<int> bit_of(const Write& w, ParameterType type) {
   if (type != ParameterType::bits) {
-    if (w.q) return fail(beyond('Q', *w.q));  // this alarm is our choice, because the manual does not describe the case
+    // our choice: Q is an error if the parameter has no bits; the manual does not describe this case
+    if (w.q) return fail(beyond('Q', *w.q));
     return whole_value;
   }
   if (!w.q) return fail(missing(w, 'Q'));

@@ -75,7 +75,7 @@ class ParameterStore {
   struct Write {
     std::optional<Word> n, p, q, r;
     bool increment = false;
-    Span block;  // location that an alarm reports for a missing word
+    Span block;  // location of the whole block, which an alarm about a missing word reports
   };
   /// Executes one block between G10 L52 and G11. A block that raises an alarm changes nothing.
   ///   alarms  word_missing: N, R; Q of bits; P of an axis or spindle (inferred)
@@ -101,8 +101,8 @@ class ParameterStore {
   };
   /// The part of a snapshot that belongs to the parameters: the values in force, and a record of the values that were written.
   struct Memory {
-    std::vector<double> values;                // values by slot, which slot() computes from row and index
-    std::map<std::size_t, std::string> texts;  // text parameters of more than one character, by slot
+    std::vector<double> values;                // values of all parameters, indexed by slot, which slot() computes from row and index
+    std::map<std::size_t, std::string> texts;  // texts of the text parameters that have more than one character, by slot
     std::set<Place> written;
     std::uint64_t version = 0;
   };
@@ -125,7 +125,7 @@ class ParameterStore {
     std::size_t slot = 0;
     double value = 0;
     std::string text;
-    std::optional<Place> place;  // the place that this write added to Memory::written; nullopt if the place was there before
+    std::optional<Place> place;  // entry that this write added to Memory::written; nullopt if the entry existed before
   };
 
   /// Returns true if an axis with this number exists in any channel.
@@ -147,7 +147,7 @@ class ParameterStore {
 
   std::span<const ParameterRow> rows_;
   Context context_;
-  std::vector<std::size_t> first_;  // for each row, the slot in Memory::values of its value with the first index
+  std::vector<std::size_t> first_;  // for each row of the parameter table, the slot in Memory::values of the row's first value
   std::map<ParameterKey, Given> given_;
   Memory now_;
   JournalLink journal_;

@@ -16,7 +16,7 @@ struct CodeRun {
   double step = 1;
   int program = 0;
   int count = 0;
-  bool modal = false;  // the call is modal, because the parameter of `start` is negative (23.3.4)
+  bool modal = false;  // the call by the code is modal, because the parameter that gives the first code is negative (23.3.4)
 };
 
 struct Settings {
@@ -25,8 +25,8 @@ struct Settings {
   int shared_100 = 0, shared_500 = 0;     // N1700, N1701: number of variables from #100 and from #500 on that the channels share
   std::vector<CodeRun> g_macros, m_macros, m_programs;
   bool binds_codes = false;                     // a program is bound to at least one G code, M code or letter
-  std::array<bool, 5> letters_call{};           // N1746: which of the words A, B, C, S, T call a subprogram
-  std::array<char, 4> ascii{};                  // N1747 …: further letters that call a subprogram; 0: none
+  std::array<bool, 5> letters_call{};           // N1746: for each of the words A, B, C, S, T, whether it calls a subprogram
+  std::array<char, 4> ascii{};                  // N1747 …: up to four further letters whose words call a subprogram; 0: no letter
   std::array<int, 4> ascii_programs{};          // N1751 …: number of the program that each further letter calls
   bool modal_each_block = false;                // N1755 #0 MEQ
   bool calls_inside_calls = false;              // N1755 #1 ENC

@@ -164,7 +164,7 @@ Status write_variable(Emitter& m, double number, double value, Span where) {
     return {};
   }
   macros.endless.note_change();
-  if (is_vacant(value)) value = 0;  // 0, because only #1 … #999 can be vacant
+  if (is_vacant(value)) value = 0;  // vacant is written as 0, because only #1 … #999 can be vacant
   const auto written = macros.write_table(m, *f, value, where);
   if (!written) return fail(written.error());
   return *written ? Status() : write_plain(m, *f, value, where);

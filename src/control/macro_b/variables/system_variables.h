@@ -21,7 +21,7 @@ namespace kadr::macro_b {
 struct FoundVariable {
   const VariableRow* row = nullptr;
   std::uint32_t index = 0;   // index of the variable: the first index of the row plus the offset within the row
-  std::uint32_t family = 1;  // the digit p in a variable name such as #_WZPp[n]
+  std::uint32_t family = 1;  // value of the digit p in the name of a system variable, such as #_WZPp[n]
   std::uint32_t number = 0;
 };
 

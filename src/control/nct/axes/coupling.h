@@ -17,13 +17,13 @@ class Emitter;
 
 namespace kadr::nct {
 
-/// The axes that follow a master at present. The machine position of a follower is lead + sign · machine position of its master, where
+/// The axes that follow a master at present. The machine position of a follower is offset + sign · machine position of its master, where
 /// `offset` and `sign` are constants of the follower. (fanuc::Memory::following has the mask of all followers, including those whose master
 /// is in another channel.)
 struct Couplings {
   std::vector<Follower> followers;    // the coupled axes of this channel, sorted so that each follower comes after its own master
-  std::vector<CrossChannelAxis> far;  // axes that follow, or are exchanged with, axes of other channels
-  Axes offset{};                      // the constant of the equation above for each follower, mm or degrees
+  std::vector<CrossChannelAxis> far;  // axes of this channel that follow, or are exchanged with, axes of other channels
+  Axes offset{};                      // for each follower, the constant `offset` of the equation above, mm or degrees
 };
 
 /// Returns the index of the axis of this channel whose control-wide number is `number`. Returns nullopt if this channel has no other axis

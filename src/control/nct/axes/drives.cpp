@@ -16,7 +16,7 @@ namespace {
 
 constexpr AxisMask bit(std::size_t axis) { return AxisMask{1} << axis; }
 
-bool is_main(int role) { return role >= 1 && role <= 3; }  // the roles 1, 2, 3 belong to the main axes X, Y, Z
+bool is_main(int role) { return role >= 1 && role <= 3; }  // parameter N0103 gives the role 1, 2 or 3 to the main axes X, Y, Z
 
 /// Returns true if the axis may be exchanged or reversed. A rotary axis that rolls over may not, because its position cannot be converted
 /// back. Axes of five-axis functions, followers and masters may not, because other code depends on them.

@@ -44,7 +44,8 @@ Status tool_call(Emitter& m, const Call& call) {
   m.modal.tool_selected = *number;
   if (*number != 0) m.use.note(UseKind::tool, *number, m.origin);
   m.emit(ToolSelect{*number, 0, place_of(*called)});
-  if (nct.settings.life_counts_on_t) change(m, nct::CountUse::yes);  // 12.2, case A: a turret, or a manual change
+  // 12.2, case A: on a machine with a turret, or with manual tool change, T itself changes the tool
+  if (nct.settings.life_counts_on_t) change(m, nct::CountUse::yes);
   return {};
 }
 

@@ -98,7 +98,8 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
   InSpindle& state = spindles_.edit(spindle);
   ToolCall now = *state.prepared;
   state.prepared.reset();
-  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;  // false: the tables did not list the tool when T was executed
+  // false: no table listed the tool when T was executed, so the table of pockets does not change
+  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;
   if (enabled() && resolved) exchange(state, now, spindle);
   state.tool = now.tool;
   const ToolRow* there = row(now.data);
@@ -110,7 +111,7 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
 void ToolManagement::exchange(InSpindle& state, ToolCall& now, int spindle) {
   std::optional<Pocket> from;
   if (now.data != 0) from = place_of(now.data);  // searched again, because the tool may have been moved since T was executed
-  else if (now.magazine != 0) from = Pocket{now.magazine, now.pocket};  // T has selected an empty pocket
+  else if (now.magazine != 0) from = Pocket{now.magazine, now.pocket};  // the T word has named a pocket that is empty
   std::tie(now.magazine, now.pocket) = from.value_or(Pocket{});
   const ToolRow* loaded = row(now.data);
   if (loaded != nullptr && loaded->type != 0) now.tool = type_of(*loaded);
@@ -270,7 +271,7 @@ Result<std::uint32_t> bits(const DataWord& word, int max_bits) {
 /// A column of the tool table that has whole numbers (12.4.1). The type of column L is DWORD: 12.4.1 does not give it, but 12.3.1 does.
 struct Item {
   char letter;
-  double most;  // greatest permitted value; 0: the value of N1400 is the limit
+  double most;  // greatest permitted value of the column; 0: the greatest offset number N1400 is the limit
   double ToolRow::*number;
   std::uint32_t ToolRow::*code;
 };

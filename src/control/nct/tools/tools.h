@@ -87,7 +87,7 @@ class JournaledTable {
   void undo() {
     ++version_;
     for (const auto& [key, row] : old_) {
-      changed_.insert(key);  // a restored row counts as changed: its value may have been read in the meantime
+      changed_.insert(key);  // A restored row counts as changed, because its value may have been read since the change.
       if (row) rows_[key] = *row;
       else rows_.erase(key);
     }
@@ -103,14 +103,14 @@ class JournaledTable {
 };
 
 struct ToolLimits {
-  int rows = 99'999'999;  // N2902: number of rows of the tool table
-  int user_data = 20;     // N2903: number of user data columns, at most 20
+  int rows = 99'999'999;  // N2902: greatest number of rows of the tool table
+  int user_data = 20;     // N2903: number of columns for the user's data in the tool table, at most 20
   int offsets = 999;      // N1400: greatest offset number in the words H, D, G, W
 };
 
 /// The data that T and M6 emit for the machine.
 struct ToolCall {
-  std::uint32_t tool = 0;  // the number T as programmed, or the type number in the tool's row
+  std::uint32_t tool = 0;  // number of the word T, or the type number in the tool's row
   int data = 0;            // data number, which is the number of the tool's row in the tool table; 0: none
   int magazine = 0;        // magazine of the tool, now or before the change; 0: the tool is in no pocket
   int pocket = 0;
@@ -147,9 +147,9 @@ class ToolManagement {
   bool enabled() const { return !rows().empty() || !places().empty(); }
   const ToolRow* row(int data) const { return rows_.find(data); }
 
-  /// Finds the tool for a T word with this type number. Only valid rows with status 1 or 2, or with status 0 and bit S, are searched. The
-  /// result is the row with the greatest counter; among equal rows, the row with the smallest data number. The tool need not be in a
-  /// pocket.
+  /// Finds the tool for a T word with this type number. Only valid rows are searched: rows whose life status is 1 (not used) or 2 (used),
+  /// and rows outside life management (status 0) that have bit S (searchable). The result is the row with the greatest life counter; among
+  /// equal rows, the row with the smallest data number. The tool need not be in a pocket.
   ///   returns  data number; 0: none
   ///   manual   12.3.1
   int search(std::uint32_t type) const;
@@ -169,18 +169,20 @@ class ToolManagement {
   /// is counted. INFERRED: the old tool goes into the pocket of the new tool (random handling, 12.3 c). Otherwise it goes into
   /// the pocket from which it came, else into the first empty pocket of a magazine, else into no pocket. A prepared tool that is already in
   /// the spindle stays there.
-  ///   count    the change code counts as a use (N2901 TLC: 0 M6, 1 T). The tool now in the spindle is counted (inferred), if it has bits
-  ///            V and C and status 1 or 2: status 1 becomes 2; it becomes 3 when the counter reaches the life
+  ///   count    the change code counts as a use (N2901 TLC: 0 M6, 1 T). The use of the tool now in the spindle is counted (inferred), if
+  ///            its row is valid (bit V), its life is counted in uses (bit C), and its life status is 1 (not used) or 2 (used). Status 1
+  ///            then becomes 2; the status becomes 3 (expired) when the counter reaches the life
   ///   returns  tool and row now in the spindle, and the pocket it came from; `tool` is the row's type number, if it has one
   ///   manual   12.2, 12.3.1, 12.5
   ToolCall change(int spindle, CountUse count);
 
-  /// Adds cutting time in seconds to the life counter of the tool in this spindle, if the tool has bits V and T and status 1 or 2.
-  /// INFERRED: the counter is in seconds, with fractions. The caller checks that override, rotation and feed meet the conditions of 12.3.1.
+  /// Adds cutting time in seconds to the life counter of the tool in this spindle, if the row is valid (bit V), its life is counted in time
+  /// (bit T), and its life status is 1 (not used) or 2 (used). INFERRED: the counter is in seconds, with fractions. The caller checks that
+  /// override, rotation and feed meet the conditions of 12.3.1.
   void add_time(double seconds, int spindle = main_spindle);
 
-  /// Returns true if the life of the tool is nearly used up: the tool has status 1 to 3, and the remaining life is at most the limit `warn`
-  /// of its row (12.3.1).
+  /// Returns true if the life of the tool is nearly used up: the tool takes part in life management (life status 1 to 3), and the remaining
+  /// life is at most the limit `warn` of its row (12.3.1).
   bool warning(int data) const;
 
   /// Returns the data number of the tool in a spindle or stand-by magazine; 0: no tool, or a tool that no table lists.
@@ -203,7 +205,7 @@ class ToolManagement {
   /// needs just its own pocket.
   ToolForm form_of(int data) const;
 
-  // The following functions are for the class DataInput only.
+  // The following functions are for DataInput only, which fills the tables from a program.
   ToolRow& edit_row(int data) { return rows_.edit(data); }
   void clear_row(int data) { rows_.erase(data); }
   void set_place(Pocket pocket, int data) { places_.edit(pocket) = data; }
@@ -256,7 +258,7 @@ std::optional<DataKind> data_kind(double l, double p);
 struct DataWord {
   char letter;
   double value;
-  std::string_view digits;  // digits as written, for the binary values Q and R; empty: the digits of `value`
+  std::string_view digits;  // digits of the word as written, which Q and R need as binary digits; empty: the digits of `value`
   Span where;
 };
 struct DataBlock {
