@@ -85,8 +85,7 @@ struct Memory {
   std::uint8_t stop_group = 0;            // index of the modal group of G61 … G64
   std::int16_t inhibiting = -1;           // table row of G63, which suppresses single-block stops
   // ---- flags of the block being executed
-  // the block belongs to a program from 8000 to 9999, which runs as one block in single-block operation (23.3.9)
-  bool was_hidden = false;
+  bool was_hidden = false;     // the block is in a program 8000 … 9999, which runs as one block (23.3.9)
   bool moved = false;          // the block commanded a movement
   bool stops_reading = false;  // the block empties the look-ahead buffer
   std::vector<PendingCall> pending;

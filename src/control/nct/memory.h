@@ -30,8 +30,8 @@ struct Memory {
   Couplings couplings;        // axes that follow a master axis
   Drives drives;              // exchanged, reversed, parked axes
   int axes_in_all = 0;        // number of axes in all channels
-  bool counts_time = false;   // true: at the last set_time(), the life of at least one tool was counted in time
-  bool turned = false;        // true: the main spindle was turning at the last set_time()
+  bool counts_time = false;   // true: when set_time() was called last, the life of at least one tool was counted in time
+  bool turned = false;        // true: when set_time() was called last, the main spindle was turning
   double tool_magazine = 10;  // variable #8400: number of the spindle or stand-by magazine whose tool the variables #8401 … describe
 };
 

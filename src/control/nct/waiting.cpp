@@ -25,7 +25,7 @@ bool has_nothing_else(const BlockContext& m) {
   return others == 1;
 }
 
-/// Returns the channels that the digits of P name, as bits: "12" gives bits 1 and 2. INFERRED: a repeated digit counts once.
+/// Returns the channels whose numbers are the digits of P, as a mask: P12 gives bits 1 and 2. INFERRED: a repeated digit counts once.
 Result<std::uint32_t> channels_in(const BlockContext& m, std::uint32_t digits) {
   const std::string text = std::to_string(digits);
   std::uint32_t channels = 0;

@@ -109,7 +109,7 @@ struct Modal : MotionModal {
   double other_feed = 0;          // last feed with the unit that is not in force: that of G94 while G95 is in force, or of G95 while G94 is
   bool other_feed_known = false;
   bool polar_data = false;          // G16: polar coordinates are on
-  bool polar_radius_given = false;  // a polar radius was given since G16, or on GOST since the first G10
+  bool polar_radius_given = false;  // a polar radius has been given since G16, or on GOST since the first G10
   // the polar radius was given as an absolute value, so the radius counts from the origin, not from the tool's position
   bool polar_radius_absolute = true;
   bool polar_angle_given = false;

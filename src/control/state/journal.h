@@ -46,7 +46,7 @@ class Journal {
   /// the last change first.
   struct Change {
     void* cell;        // address of the changed cell; nullptr: no cell has changed, and the function undos_[size] undoes the change
-    std::size_t size;  // size of the cell in bytes
+    std::size_t size;  // size of the changed cell in bytes, or index of the function in undos_
   };
   static constexpr std::size_t step = alignof(Change);
   static constexpr std::size_t rounded(std::size_t size) { return (size + step - 1) / step * step; }

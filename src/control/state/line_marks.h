@@ -21,7 +21,7 @@ class LineMarks {
     const std::uint32_t mark = mark_of(file, line);
     return (bits_[mark / 64] >> mark % 64 & 1U) != 0;
   }
-  /// Returns the number of blocks recorded.
+  /// Returns the number of blocks for which the run has recorded a mark.
   std::uint64_t blocks() const { return blocks_; }
   /// Adds the marks of another run to the marks of this run.
   void add(const LineMarks& other) {

@@ -20,7 +20,7 @@ namespace kadr {
 enum class RunPhase : std::uint8_t {
   next_block,    // reads the next block
   same_block,    // executes the block that was read earlier and has waited: for an answer of the operator, or for its real time
-  end_of_block,  // after a block that the machine's logic or an interrupt macro observes, which act next (nct 23.4)
+  end_of_block,  // the last block was observed: the machine's logic or an interrupt macro acts next (nct 23.4)
   stopped,       // an alarm has stopped the run
 };
 

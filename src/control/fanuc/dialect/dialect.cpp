@@ -25,7 +25,7 @@ void Fanuc::note_skip_mark(Emitter& m) { fanuc::note_skip_mark(m); }
 Result<bool> Fanuc::takes_block(Interpreter& m) {
   const auto done = before_plan(m);
   if (done && !*done && (MacroB::state.active_modal_calls != 0 || !pending.empty()))
-    m.keep_flow_place();  // a macro call after the block may fail; its alarm then needs the position in the program that is stored here
+    m.keep_flow_place();  // stores the position in the program for the alarm that a macro call after the block may raise
   return done;
 }
 
@@ -86,7 +86,7 @@ void Fanuc::note_line(BlockContext& m) {
   if (m.block->marker == Marker::label && m.def.grammar.colon_is_label && m.program().depth() == 0)
     MacroB::state.words.o = m.block->label;                          // last program number O (spec/fanuc 5.8)
   if (m.block->has_number) MacroB::state.words.n = m.block->number;  // last block number N (23.1.14)
-  if (m.block->calls_macro) return;  // nothing more to record: the words of the block are arguments of a macro
+  if (m.block->calls_macro) return;  // if the words of the block are arguments of a macro, their values are not recorded
   if (const Word* const code = m.block->find('M'); code != nullptr) MacroB::state.words.m = code->value;
   if ((m.block->letters & letter_bit('F')) == 0) return;
   MacroB::state.words.f = m.block->find('F')->value;
@@ -121,7 +121,8 @@ void Fanuc::synchronise(int slave, int master) {
     s.master = master;
     if (master < 1 || master > static_cast<int>(max_spindles)) continue;
     SpindleState& leading =
-        spindle(master);  // 11.7.4: the position loops of both spindles are closed; the slave turns at the master's speed
+        // 11.7.4: the position loops of two synchronised spindles are closed, and the slave turns at the speed of its master
+        spindle(master);
     s.rpm = leading.rpm;
     s.dir = leading.dir;
     s.loop_closed = leading.loop_closed = true;

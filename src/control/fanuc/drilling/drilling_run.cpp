@@ -77,7 +77,7 @@ Status DrillingRun::check(const Emitter& m) const {
   if (turns) return {};
   const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
   const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
-  // In other cycles the spindle may stand still. Only a tap, and a dwell in revolutions, would never end without rotation (8).
+  // Without rotation only a tap and a dwell in revolutions would never end (8), so other cycles are not checked.
   if (!is_tap() && !(dwells && revolutions)) return {};
   const auto code = static_cast<std::size_t>(m.def.row_of('G', job_.code));
   return fail(alarm(AlarmId::spindle_not_turning, m.block->where, std::string_view(m.def.codes[code].code)));

@@ -16,7 +16,7 @@ Result<std::vector<Vec2>> pattern_points(const BlockContext& m, const Call& call
   const auto count = m.whole('L', 1, max_points);
   if (!count) return fail(count.error());
   const double reach = m.length_value('I'), first = m.has('J') ? m.value('J') : 0;
-  const double turn = reach < 0 ? -1 : 1;  // a negative I: the holes follow one another clockwise
+  const double turn = reach < 0 ? -1 : 1;  // if the radius I is negative, the holes of the pattern follow one another clockwise
   const double step = code == 71_g ? m.value('K') : turn * 360.0 / *count;
   const PlaneAxes& plane = m.modal.axes;
   const Vec2 here{m.position.programmed[plane.first], m.position.programmed[plane.second]};

@@ -38,7 +38,8 @@ void set_zero(const Emitter& m, FiveAxisTransformData& d) {
     return on_table && joint.axis >= 0 ? from[static_cast<std::size_t>(joint.axis)] : 0.0;
   };
   if (d.moves_origin) {
-    // The origin is relative to the pivot of the second rotary table. INFERRED: the common work offset is not added.
+    // With a dynamic offset, the origin of the work system is relative to the pivot of the second rotary table. INFERRED: the common work
+    // offset is not added.
     d.measured = {of(machine.first, machine.first_on_table(), zero), of(machine.second, machine.second_on_table(), zero)};
     const Mat3 first = machine.first_on_table() ? machine.first_turn(d.measured.first) : Mat3();
     d.zero = main_of(m, zero) + machine.table + first * machine.second_table;

@@ -54,8 +54,8 @@ bool names_direction(const BlockContext& m, int d) {
   return false;
 }
 
-/// Returns a rotary axis that the block names, or -1. If the block also names one direction of the plane, the rotary axis replaces the
-/// other direction (4.5, 4.6).
+/// Returns the rotary axis that a block with G17, G18 or G19 names, or -1. It replaces an axis of the plane: if the block also names the
+/// other axis of the plane, that axis stays (4.5, 4.6).
 int named_rotary(const BlockContext& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((fanuc_of(m).plane_axes >> a & 1u) != 0 && (m.def.rotary >> a & 1u) != 0) return static_cast<int>(a);

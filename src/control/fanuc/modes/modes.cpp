@@ -54,7 +54,8 @@ Status smoothing(Emitter& m, const Call& call) {
 
 /// G4 P (8): dwells P seconds, or in G95 P revolutions of the main spindle.
 Status dwell_or_turns(Emitter& m, const Call& call) {
-  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {  // spec/fanuc 4.1: the decimal point decides the unit
+  // spec/fanuc 4.1: on this control the decimal point decides the unit of the dwell time
+  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {
     const bool by_point = m.def.behaviour.dwell_unit == DwellUnit::milliseconds_without_point;
     const char letter = m.has('P') || by_point ? 'P' : m.has('X') ? 'X' : 'U';
     if (!m.has(letter) && by_point) return fail(alarm(AlarmId::dwell_missing, call.where, call.row->code));
@@ -131,8 +132,8 @@ Status set_tables_end(Emitter&, const Call&) { return {}; }
 
 namespace kadr::fanuc {
 
-/// Returns the thread lead in mm. F is modal and is also the feed. E sets a thread lead apart from F, which is valid until the next F (4.4,
-/// as spec/nct/04 recommends).
+/// Returns the thread lead in mm. F is modal and is both the thread lead and the feed. E sets the thread lead only, not the feed; this lead
+/// is valid until the next F (4.4, as spec/nct/04 recommends).
 double take_lead(BlockContext& m) {
   if (m.has('E')) fanuc_of(m).state.thread_lead = mm_per_inch / m.value('E');
   else if (m.has('F')) fanuc_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;

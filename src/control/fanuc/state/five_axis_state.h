@@ -34,10 +34,10 @@ enum class SpaceFrame : std::uint8_t { none, turned, turned_twice, plane };
 /// another kind ends the definition.
 struct PlaneBlocks {
   std::uint8_t kind = 0;          // word P of the blocks that define the tilted plane: 2 points, 3 vectors; 0 while no definition is open
-  std::uint8_t seen = 0;          // bit q is set if the defining block with word Q = q has been read
-  std::array<Vec3, 4> points{};   // mm; the point that each defining block gives, indexed by word Q of the block
-  std::array<Vec3, 4> vectors{};  // G68.2 P3: the vector that each defining block gives, indexed by word Q of the block
-  double turn = 0;                // rotation angle R in degrees in the defining block with Q0
+  std::uint8_t seen = 0;          // bit q is set if the block of the tilted plane with word Q = q has been read
+  std::array<Vec3, 4> points{};   // mm; the point that each block of the tilted plane gives, indexed by word Q of the block
+  std::array<Vec3, 4> vectors{};  // G68.2 P3: the vector that each block of the tilted plane gives, indexed by word Q of the block
+  double turn = 0;                // rotation angle R in degrees of the tilted plane, from the block with Q0
 };
 
 struct FiveAxisState {

@@ -75,7 +75,7 @@ struct InterruptedCycles {
   TurningMemory turning;
 };
 
-/// All memory that is a plain value, so that a snapshot can copy it.
+/// All memory of the class Fanuc that is a plain value, so that a snapshot can copy it.
 struct Memory {
   Settings settings;
   UndoableState state;

@@ -122,10 +122,11 @@ struct Settings {
   double measure_feed = 0, length_feed = 0;   // N0311, N0312: feeds of G31 and of G37, mm/min
   double length_rapid = 0, length_alarm = 0;  // N3004, N3005: rapid distance and alarm distance of G37 from the expected position, mm
   bool torque_known = true;                   // INFERRED: the drive of an axis reports its torque, because a virtual drive always does
-  FiveAxis five_axis;                         // N3200 … N3224; the limits of the rotary axes come from the machine
-  bool keeps_linear = false;                  // N3212 #7 FOS: X, Y, Z do not move in a block that moves rotary axes alone
-  bool tilts_tool = false;                    // N3212 #4 BSE: the basic rotation of the work system tilts the tool
-  double accuracy = 0;                        // N3103: displacement in mm up to which short straight motions are joined to one motion
+  // kinematics of the five axes (N3200 … N3224); the travel limits of the rotary axes come from the machine profile
+  FiveAxis five_axis;
+  bool keeps_linear = false;  // N3212 #7 FOS: X, Y, Z do not move in a block that moves rotary axes alone
+  bool tilts_tool = false;    // N3212 #4 BSE: the basic rotation of the work system tilts the tool
+  double accuracy = 0;        // N3103: displacement in mm up to which short straight motions are joined to one motion
 };
 
 /// Reads all settings. `axis_numbers`: numbers of the channel's axes; the numbering includes the axes of all channels. `axis_names` (X, Y,

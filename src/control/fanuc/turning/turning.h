@@ -29,7 +29,8 @@ Result<bool> end_contour(Interpreter& m);
 
 // ---- functions for the files of the turning cycles
 
-/// Each of these functions executes the second block of a compound cycle.
+/// Executes the second block of a compound cycle: finish() of G70.7, rough() of G71.7 and G72.7, pattern() of G73.7, groove() of G74.7 and
+/// G75.7, compound_thread() of G76.7.
 Status finish(Interpreter& m, const Call& call);
 Status rough(Interpreter& m, const Call& call, Vec2 allowance);
 Status pattern(Interpreter& m, const Call& call, Vec2 allowance);

@@ -150,9 +150,10 @@ class Reader {
 
   Status word(const Word& w, const CodeRow*& motion) {
     if ((m_.letters.codes & letter_bit(w.address)) != 0) return code(w, motion);
-    constexpr std::uint64_t of_others = letter_bit('P') | letter_bit('E');  // Q is allowed: it selects an intersection (17.3)
+    // word Q is allowed in the contour, because it selects an intersection (17.3)
+    constexpr std::uint64_t of_others = letter_bit('P') | letter_bit('E');
     if ((of_others & letter_bit(w.address)) != 0) return shape();
-    return {};  // F, S, T and D are not errors: they apply to finishing only
+    return {};  // F, S, T and D are allowed in the contour, because they apply to the finishing pass only
   }
 
   /// Returns the tool radius of the block's own D, or of the D in force.

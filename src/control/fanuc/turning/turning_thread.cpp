@@ -36,7 +36,7 @@ class ThreadRun final : public SteppedCycleValue<ThreadRun> {
   struct Job {
     Vec2 start, target;  // `target` is the end of the thread at its root
     double taper = 0;    // difference between start and end of the thread along the second axis, mm
-    double height = 0;   // height of the thread, mm
+    double height = 0;   // height of the thread from root to crest, mm
     double first = 0;    // depth of the first pass (Δ1), mm
     double lead = 0;     // thread lead, mm
     double chamfer = 0;  // length of the run-out, mm

@@ -52,7 +52,7 @@ Axes surface_work(const BlockContext& m, const Axes& programmed);
 /// Returns the positions of the real axes in polar interpolation, for a point after mirroring, scaling and rotation. Several angles that
 /// differ by full revolutions are possible; the angle nearest to `near` (degrees) is used.
 Axes polar_work(const BlockContext& m, const Axes& point, double near);
-/// An arc in the plane of polar interpolation. `turns`: number of revolutions, positive if counter-clockwise.
+/// An arc in the virtual plane of polar interpolation, mm. `turns`: number of revolutions, positive if counter-clockwise.
 struct FlatArc {
   Vec2 from, to, center;
   double turns = 0;

@@ -1,4 +1,5 @@
-// Functions for which no action is emitted, and the alarm for functions that are not implemented.
+// Handlers of words that need no action of their own (axis words, arguments of other codes), and the handler that raises the alarm for
+// functions that Kadr does not implement.
 
 #include "control/functions/functions.h"
 

@@ -131,7 +131,7 @@ void Endless::forget() {
 
 void Endless::note_fault(const BlockContext& m, bool may_steer) {
   any_fault_ = true;
-  for (Watch& w : watches_) w.next_look = 0;  // after a fault, each jump back is examined, not only those of some passes
+  for (Watch& w : watches_) w.next_look = 0;  // after a fault, each jump back is examined, not only some of them
   if (may_steer && faults_.size() < max_faults) faults_.push_back({m.block->position.offset, m.program().blocks(), m.program().reader()});
 }
 

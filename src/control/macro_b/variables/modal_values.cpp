@@ -1,4 +1,4 @@
-// #4001 … #4530: modal codes and words (spec/nct/23 23.1.14). Used by control/macro_b/variables/system_variables.
+// System variables #4001 … #4530: modal codes and words (spec/nct/23 23.1.14). Used by control/macro_b/variables/system_variables.
 
 #include "control/macro_b/variables/modal_values.h"
 

@@ -21,7 +21,8 @@ struct AxisRequest {
   std::size_t axis;
   AxisLink link;
   bool on;
-  std::optional<double> machine{};  // machine coordinate of the other axis, mm; set only if the other axis is in another channel
+  // machine coordinate in mm of the axis with which this axis is exchanged; set only if that axis is in another channel
+  std::optional<double> machine{};
 };
 
 /// The axes that are exchanged, reversed or parked. Together with parameters N2104 and N2105, these axes determine fanuc::Memory::driven.

@@ -108,7 +108,7 @@ Status gear_on(Emitter& m, const Call& call) {
   couple.ratio = gear.ratio;
   couple.master_number = *master;
   couple.rpm = turns ? spindle.rpm * gear.ratio : 0;
-  // N1800 #1 FRS; INFERRED: bit 1 means that the feed is per revolution of the workpiece
+  // N1800 #1 FRS; INFERRED: if the bit is 1, the feed is per revolution of the workpiece
   couple.feeds_by_slave = store.bit(store.named("1800"), 1);
   nct.state.gear = gear;
   nct.stops_reading = true;

@@ -230,8 +230,8 @@ class ToolManagement {
  private:
   struct InSpindle {
     std::optional<ToolCall> prepared;
-    std::uint32_t tool = 0;  // tool number of the last T, used if no table lists the tool
-    Pocket home{};           // the pocket from which the tool came
+    std::uint32_t tool = 0;  // number of the last T word, used if no table lists the tool in the spindle
+    Pocket home{};           // pocket from which the tool in the spindle came
   };
   void exchange(InSpindle& state, ToolCall& now, int spindle);
   void put_away(int data, const std::optional<Pocket>& first, Pocket second);
