@@ -125,7 +125,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void reset_codes(Interpreter& m, bool keep);
   void stop_machine(Interpreter& m);
 
-  UndoableState before_;                   // the state that keep_all() has saved
+  UndoableState before_;                   // the state that keep_all() has saved, so that an alarm can restore it
   std::array<Axes, 5> setup_reference_{};  // reference points that keys of the set-up give; those that parameters give are not included
 };
 

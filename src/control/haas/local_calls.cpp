@@ -33,7 +33,7 @@ Status jump_by_input(Interpreter& m, const Call& call) {
   for (const char letter : {'P', 'Q'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   constexpr double max_inputs = 63;
-  // Q is not a length, so the scaling of a length is undone
+  // The reader has scaled Q like a length. Q of M96 is the number of a signal here, so the scaling is undone.
   const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));
   if (!(input >= 0 && input <= max_inputs)) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', input));
   const auto& inputs = macro_b_of(m).plc_in;

@@ -75,7 +75,7 @@ class Nct : public Fanuc, public nct::Memory {
   bool keeps_group(int group) const override;
 
  private:
-  UndoableState before_;  // the state that keep_all() has saved
+  UndoableState before_;  // the state that keep_all() has saved, so that an alarm can restore it
 };
 
 /// The part of a snapshot that belongs to the class Nct.

@@ -62,7 +62,7 @@ struct Modal : MotionModal {
   SpindleDir spindle = SpindleDir::stop;
   std::int8_t radius_side = 0;  // side of the contour on which the tool is: -1 left (G41), +1 right (G42), 0 no cutter compensation
   std::int8_t length_sign = 0;  // sign of the tool length: +1 for G43, -1 for G44, 0 without length compensation
-  // +1 or -1: an axis corrector acts with its absolute value and this sign; 0: the corrector acts with its own sign
+  // +1 or -1: an axis corrector acts with its absolute value and this sign; 0: the corrector acts with the sign of its own value
   std::int8_t corrector_sign = 0;
   bool absolute = true;
   bool centers_absolute = false;
@@ -101,7 +101,8 @@ struct Modal : MotionModal {
   CornerJoin corner_join = CornerJoin::arc;  // G36 or G37: how the path passes round the corners of a compensated contour
   Vec2 compensation_start;                   // end of the first motion of the compensated contour, programmed coordinates
   PlaneAxes compensation_axes;               // plane of the contour
-  Vec2 compensation_vector;           // vector in work coordinates from the contour's last point to the tool, as if the contour ended there
+  // vector in work coordinates from the contour's last point to the tool centre, as if the contour ended at that point
+  Vec2 compensation_vector;
   bool off_contour_reported = false;  // the warning beside_contour has been reported since the last G41 or G42
   // nct
   std::uint8_t main_spindle = 1;  // number of the spindle that feed per revolution and threads follow (nct 11.4)

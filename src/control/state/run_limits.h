@@ -26,7 +26,7 @@ struct RunLimits {
 };
 
 struct Program {
-  std::string file;  // name of the program's file, as messages show it
+  std::string file;  // name of the program's file as alarms and other messages give it
   std::unique_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
 };

@@ -16,7 +16,7 @@
 
 namespace kadr {
 
-/// The next action of the interpreter. It comes after the block's canned cycle and the functions that wait for the end of the cycle.
+/// What the interpreter does next, after the canned cycle of the block and the functions that wait for the end of this cycle.
 enum class RunPhase : std::uint8_t {
   next_block,    // reads the next block
   same_block,    // executes the block that was read earlier and has waited: for an answer of the operator, or for its real time

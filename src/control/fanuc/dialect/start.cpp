@@ -54,7 +54,7 @@ void Fanuc::reset_codes(Interpreter& m, bool keep) {
   plane_axes = 0;
   Block* const block = m.block;
   Block none;
-  m.block = &none;  // an empty block, so that the functions find no words
+  m.block = &none;  // the codes are executed with an empty block, so that their functions find no words
   for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
     const GroupRow& group = m.def.groups[g];
     const int number = group_number(group);
@@ -140,7 +140,8 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
     spindle_names[number] = spindle_setup.name;
   }
   if (settings.default_spindle > 0) state.current_spindle = state.main_spindle = settings.default_spindle;
-  m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);  // 11.4; INFERRED: at power-on the main spindle is that of N0604
+  // 11.4; INFERRED: at power-on the main spindle is the spindle that parameter N0604 names
+  m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);
   spindle_part = setup.spindle_override / 100;
   state.surface_speed = settings.surface_speed;
   state.css_axis = settings.css_axis;

@@ -195,7 +195,7 @@ class Drilling {
     if (m_.has('I') && !percent) memory_.shift.x = m_.length_value('I');
     if (m_.has('J')) memory_.shift.y = m_.length_value('J');
     if (m_.has('K') && !m_.def.behaviour.repeats_by_k) memory_.shift.z = m_.length_value('K');
-    if (m_.has('Q') && by_q()) memory_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: Q counts without its sign
+    if (m_.has('Q') && by_q()) memory_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: the sign of Q has no effect
     else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), memory_.peck));
     if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), memory_.clearance));
     if (m_.has('P') && m_.def.behaviour.dwell_unit != DwellUnit::seconds) {

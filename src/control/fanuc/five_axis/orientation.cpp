@@ -195,7 +195,7 @@ Status orient_with_tip_control(Emitter& m, const Call& call) {
   }
   Motion& motion = add_five(m, *kind, work);
   if (tip_path.pivot) detail_of(m, motion).tip_path = std::make_shared<const FiveAxisTipPath>(tip_path);
-  five.tip_control = tip_control;  // the mode that was in force before the block is restored
+  five.tip_control = tip_control;  // restores the mode of tool centre point control that was in force before the block
   five.tip_length = length;
   five.oriented = *pair;
   m.change_frames();

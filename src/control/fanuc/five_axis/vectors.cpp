@@ -116,7 +116,8 @@ std::optional<RotaryPair> without_rotary_swing(Emitter& m, const Word& where, Ve
 Status direct(Emitter& m, TipControl tip_control, const Components& vector, std::uint32_t until) {
   Fanuc& fanuc = fanuc_of(m);
   const FiveAxis& machine = fanuc.settings.five_axis;
-  if (machine.group == MachineGroup::none) return {};  // no alarm here: the code that sets the mode raises it
+  // a machine without five axes: the code that sets the mode raises the alarm, not this function
+  if (machine.group == MachineGroup::none) return {};
   if (length(vector.value) == 0) return fail(alarm(AlarmId::direction_zero, vector.first->where, "I J K"));
   const FiveAxisTransform& space = *space_of(m);
   FiveAxisTransformData d = space.data();

@@ -48,7 +48,8 @@ namespace {
 void refresh_sums(BlockContext& m) {
   Placement& f = m.frames;
   f.turn = rotation_of(m, f.turn);
-  const bool dynamic = m.modal.work_zero >= all_systems;  // 25d. INFERRED: a dynamic offset excludes the common offset
+  // 25d. INFERRED: while a dynamic offset is in force, the common work offset is not added
+  const bool dynamic = m.modal.work_zero >= all_systems;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     f.origin[a] = (dynamic ? 0 : m.tables.common[a]) + m.tables.zeros[m.modal.work_zero][a];
     f.shift[a] = m.modal.new_system[a] + m.modal.local[a];
@@ -142,7 +143,7 @@ void note_motion(Emitter& m, Motion& motion) {
   if (!plain && fanuc.state.five_axis.frame != SpaceFrame::none) add_programmed_end(m, motion);
   if (motion.kind != MotionKind::thread) fanuc.state.in_thread = false;
   const bool tip = controls_tip(fanuc.state.five_axis.tip_control);  // 25.14: the programmed feed is the feed of the tool tip
-  // 4.2: the feed is along a path in which a millimetre and a degree count alike
+  // 4.2: the feed of a motion of linear and rotary axes counts along a path in which 1 mm and 1 degree are equal
   motion.along = tip ? FeedAlong::path : FeedAlong::all_axes;
   // The bits of #3004 (23.1.10, 6.3.4): M_FHD inhibits feed hold; M_OV inhibits override and feed hold, as G63 does; M_EST inhibits exact
   // stop.

@@ -78,13 +78,13 @@ Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   if (by_parameter && !each)
     for (const char letter : {'I', 'J', 'K'})
       if (m.has(letter)) m.warn(warning(AlarmId::word_passed_over, m.where(letter), m.block->text_of(m.where(letter))));
-  // without P, the factor is that of parameter 5411 (spec/fanuc 6.9) or setting 71 (spec/haas 6.3)
+  // without P, the scale factor of G51 is that of parameter 5411 (spec/fanuc 6.9) or setting 71 (spec/haas 6.3)
   if (!each && !m.has('P') && settings.scale_usual != 0) {
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if (is_linear(m, a)) factors[a] = settings.scale_usual;
     return {};
   }
-  // parameter 5411 is 0, so there is no factor
+  // G51 has no P, and parameter 5411 is 0, so there is no scale factor
   if (by_parameter && !each && !m.has('P')) return fail(alarm(AlarmId::scale_zero, call.where, 'P'));
   if (!each && !m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   if (each && m.has('P')) return fail(alarm(AlarmId::not_together, m.where('P'), "P", "I J K"));

@@ -212,7 +212,7 @@ Status css_on(Emitter& m, const Call&) {
     const auto& numbers = m.def.axis_numbers;
     if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) ==
         numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
-      // INFERRED: an unknown axis number raises the same alarm as for AX[n] (23.2.12)
+      // INFERRED: a P word of G96 with an unknown axis number raises the same alarm as for AX[n] (23.2.12)
       return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));
     fanuc_of(m).state.css_axis = static_cast<int>(*axis);
   }
@@ -260,7 +260,7 @@ Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
     }
   }
   const SpindleSettings& own = settings.spindles[static_cast<std::size_t>(number)];
-  // 11.7.2: this M code closes the position loop of the spindle
+  // 11.7.2: the M code of parameter N0823 closes the position loop of the spindle
   const bool closes = own.indexes && own.closing_code != 0 && own.closing_code == code;
   const bool of_spindle = closes || (own.m_high != 0 && code >= own.m_low && code <= own.m_high) || has_spindle_word(m);
   if (closes) {

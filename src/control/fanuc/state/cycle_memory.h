@@ -49,7 +49,8 @@ struct TurningMemory {
 
 /// A contour that G70.7 executes block by block: where the contour ends, and the point to which the tool returns afterwards.
 struct Finishing {
-  std::size_t depth = 0;          // number of open calls while the blocks of the contour are executed
+  // number of open calls while the blocks of the contour are executed; a smaller number means that the program has left the contour
+  std::size_t depth = 0;
   std::uint64_t contour_end = 0;  // offset in the program file just after the contour's last block
   Vec2 start;                     // point in the plane to which the tool returns, in programmed coordinates, mm
   Origin origin;                  // location of the block with G70.7

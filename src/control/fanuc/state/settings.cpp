@@ -1,4 +1,4 @@
-// Converts the control's parameters into Settings. Used by control/fanuc/fanuc.
+// Converts the control's parameters into the settings of axes, frames, spindles and cycles. Used by control/fanuc/fanuc.
 
 #include "control/fanuc/state/settings.h"
 

@@ -36,9 +36,9 @@ struct SpindleSettings {
   bool indexes = false;                 // N0607 #2 INX: the position loop of the spindle can be closed
   bool index_negative = false;          // N0607 #7 IDS: indexing turns in the negative direction
   int m_low = 0, m_high = 0;            // N0689, N0690: first and last optional M code of the spindle; 0: none
-  int index_from = 0, index_count = 0;  // N0820, N0821: first indexing code, and number of indexing codes
-  double index_angle = 0;               // N0822: angle in degrees of one indexing step
-  int closing_code = 0;                 // N0823: M code that closes the position loop
+  int index_from = 0, index_count = 0;  // N0820, N0821: first M code that indexes the spindle, and number of such codes
+  double index_angle = 0;               // N0822: angle in degrees by which one step of indexing turns the spindle
+  int closing_code = 0;                 // N0823: M code that closes the position loop of the spindle
 };
 
 /// The settings of axes, spindles, canned cycles and five-axis functions.
@@ -79,7 +79,7 @@ struct Settings {
   unsigned mirrored = 0;                // settings 45 to 48: mirrored axes, one bit per axis (spec/haas 6.1)
   bool feed_counts_increments = false;  // setting 77 is 0: F without a decimal point counts least increments of a length (spec/haas 1.2)
   bool feed_whole = false;              // setting 77 is 1: F without a decimal point is a whole number
-  bool feed_in_thousandths = false;     // 1403#0: F per minute without a decimal point counts 0.001 (spec/fanuc 1.3)
+  bool feed_in_thousandths = false;     // 1403#0: a feed per minute F without a decimal point counts in units of 0.001 (spec/fanuc 1.3)
   bool shift_negative = false;          // 5101#4: G76 and G87 shift the tool in the negative direction of an axis (spec/fanuc 10.5)
   bool shift_second = false;            // 5101#5: G76 and G87 shift the tool along the second axis of the plane (spec/fanuc 10.5)
   // N1416: axes on which the tool length acts; 0: the axes that the block names, 1: Z, 2: the plane's normal

@@ -20,7 +20,7 @@ Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) 
   // On a control without a common work offset, the words L and P of the common offset set the shift of G52 (spec/haas 5.4).
   Axes& shift = m.def.has_common_zero() ? m.tables.common : m.modal.local;
   Axes& table = common ? shift : m.tables.zeros[index];
-  Axes zero = table;  // a copy, so that the table is unchanged after an alarm
+  Axes zero = table;  // the words change a copy of the work offset, so that the table is unchanged after an alarm
   // The lengths of a dynamic offset are radii (25.4.1). It is UNKNOWN whether I, J, K are allowed, so they raise an alarm.
   const bool dynamic = index >= all_systems;
   for (const char letter : rotation_letters)

@@ -189,7 +189,7 @@ Result<bool> Fanuc::write_table(Emitter& m, const FoundVariable& f, double value
   }
   if (!is_rotation(kind) && !is_zero(kind)) return false;
   const int axis = axis_of(m, f.index);
-  if (is_zero(kind) && axis < 0) return true;  // the value of an axis of another channel is ignored
+  if (is_zero(kind) && axis < 0) return true;  // a value that is written to the work offset of an axis of another channel is ignored
   if (!(std::fabs(value) <= farthest)) return fail(alarm(AlarmId::value_limit, where, value));
   (is_rotation(kind) ? *rotation_field(m, f) : *zero_field(m, f, axis)) = is_rotation(kind) ? value : stored_value(m, axis, value);
   tables_changed = true;

@@ -20,7 +20,7 @@ class GrooveRun final : public SteppedCycleValue<GrooveRun> {
   /// The data of a cycle. In each point, x is the programmed coordinate in mm along the pecks, and y that along which the pecking positions
   /// follow one another.
   struct Job {
-    bool deep_first = true;  // G74.7: the pecks are along the first axis of the plane
+    bool deep_first = true;  // true (G74.7): the pecks are along the first axis of the plane; false (G75.7): along the second axis
     Vec2 start;              // start point of the grooving cycle: x along the pecks, y across the pecks
     Vec2 target;
     double peck = 0, step = 0;

@@ -14,7 +14,7 @@ namespace {
 /// Computes the end point of a block in G16 (polar coordinates): the word of the first plane axis is the radius, the word of the second
 /// axis the angle (5.4).
 void polar(const BlockContext& m, const Word* radius, const Word* angle, Axes& to, AxisMask& named) {
-  // the modal state is changed, because radius and angle of the block stay valid for later blocks
+  // The function changes the modal state, because radius and angle of the block stay valid for later blocks.
   Modal& modal = const_cast<BlockContext&>(m).modal;
   const PlaneAxes& plane = modal.axes;
   const Vec2 here{m.position.programmed[plane.first], m.position.programmed[plane.second]};

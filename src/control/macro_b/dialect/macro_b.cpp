@@ -160,7 +160,7 @@ void MacroB::set_signal(const std::string& name, double value) {
 
 void MacroB::set_time(double at_ms, double cut_ms) {
   now_ms = at_ms;
-  cutting_ms += cut_ms;  // added, not assigned, because the program may have assigned a value to the timer
+  cutting_ms += cut_ms;  // the time is added to the timer, because the program may have assigned a value to the timer
 }
 
 // ---- functions that the interpreter calls

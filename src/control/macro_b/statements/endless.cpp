@@ -21,7 +21,7 @@ struct Moment {
   std::uint8_t active_modal_calls = 0;
   std::size_t finishing = 0;
   std::uint64_t parameters = 0;
-  // ---- values that a program reads by system variables
+  // ---- compared only if the pass reads a system variable: the values that system variables report
   std::uint64_t readings = 0, changes = 0;
   ProgramPosition position;
   ModalWords words;

@@ -86,7 +86,7 @@ class Endless {
   // Counts after a fault: the jumps examined; the blocks executed in successive passes of one loop; the blocks executed up to the jump that
   // was examined last.
   std::uint64_t looks_ = 0, looped_ = 0, looked_at_ = 0;
-  std::size_t looked_ = ~std::size_t{0};  // index in watches_ of the jump examined last
+  std::size_t looked_ = ~std::size_t{0};  // index in watches_ of the jump back that was examined last
   std::uint64_t readings_ = 0, changes_ = 0;
 };
 

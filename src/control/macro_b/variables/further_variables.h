@@ -26,7 +26,7 @@ Result<double> number_meant(const BlockContext& m, double number, Span where);
 /// The location where the value of a common variable beyond #999 is stored. further_variable() returns this location, or nullopt for any
 /// other kind of variable.
 struct FurtherVariable {
-  bool own = false;  // true: the variable has a value of its own; false: the variable is another name for one of #1 to #999, #number
+  bool own = false;  // true: the variable has a value of its own; false: the variable is another name for #number, one of #1 to #999
   std::uint32_t number = 0;
 };
 std::optional<FurtherVariable> further_variable(const VariableRow& row, std::uint32_t number, std::uint32_t index);

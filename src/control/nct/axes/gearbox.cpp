@@ -18,7 +18,7 @@ tl::unexpected<Alarm> wrong_parameter(const Call& call, double number) {
   return fail(alarm(AlarmId::coupling_parameter, call.where, number));
 }
 
-/// Returns the index of the axis of this channel that the parameter names.
+/// Returns the index of the axis of this channel that a parameter of the gearbox names.
 Result<std::size_t> axis_of(const BlockContext& m, const Call& call, const char* parameter) {
   const auto& store = macro_b_of(m).parameters;
   const std::string name = store.text(store.named(parameter));

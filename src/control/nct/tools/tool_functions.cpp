@@ -1,4 +1,4 @@
-// T, M6 and the data lines of tools (spec/nct/12).
+// Executes T and M6, and reads the data lines of tools between G10 and G11 (spec/nct/12).
 
 #include "control/functions/functions.h"
 #include "control/nct/nct.h"

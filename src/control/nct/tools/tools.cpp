@@ -295,7 +295,7 @@ Status place_block(const DataBlock& block, ToolManagement& tools) {
   const auto magazine = needed_whole(block, 'N', code, pockets_in_place_call - 1);
   KADR_TRY(magazine);
   if (!is_multi(*magazine) && !has_one_pocket(*magazine)) return out_of_range(*find(block, 'N'));
-  Pocket pocket = tools.only_pocket(*magazine);  // P has no effect in a magazine with one pocket
+  Pocket pocket = tools.only_pocket(*magazine);  // word P (the pocket) has no effect in a magazine with one pocket
   if (is_multi(*magazine)) {
     const auto number = needed_whole(block, 'P', code, pockets_in_place_call - 1);
     KADR_TRY(number);

@@ -119,8 +119,8 @@ struct ToolCall {
 
 /// The offset numbers in a tool's row; 0: none.
 struct OffsetNumbers {
-  int h = 0, d = 0;  // milling: numbers of length and radius offset
-  int g = 0, w = 0;  // turning: numbers of geometry and wear offset
+  int h = 0, d = 0;  // for milling tools: numbers of the length offset and of the radius offset
+  int g = 0, w = 0;  // for turning tools: numbers of the geometry offset and of the wear offset
 };
 
 enum class CallBy : std::uint8_t { type, place };
