@@ -26,7 +26,7 @@ const Word* code_of(const BlockContext& m, std::initializer_list<Function> funct
 
 /// The facts about the blocks executed so far that the warnings depend on.
 struct Seen {
-  bool reference = false;  // the program has had a G25
+  bool reference = false;  // the program has executed G25, the approach to the reference point
   bool moved = false;
   bool at_rest = true;        // the last motion ended with a stop, so the plane may change
   std::uint64_t shadows = 0;  // one bit per canned cycle whose hidden subprogram has been reported

@@ -59,7 +59,7 @@ void Fanuc::reset_codes(Interpreter& m, bool keep) {
     const GroupRow& group = m.def.groups[g];
     const int number = group_number(group);
     if (keeps_group(number)) continue;
-    // the groups of G64, G15 and G13.1 are always reset, whatever CLR is (6.3.3, 5.4, 4.5)
+    // the groups of G64, G15 and G13.1 are always reset, even if the bits CLR request that a reset keeps their codes (6.3.3, 5.4, 4.5)
     const bool always = number == 15 || number == 17 || number == 21;
     if (group.power_on < 0 || (!always && keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
                                s.kept_groups[static_cast<std::size_t>(number)]))

@@ -17,7 +17,7 @@ namespace kadr {
 namespace {
 
 constexpr int max_inputs = 8;
-constexpr int torque_input = 98;     // P98 of G31: the torque limit takes the place of a probe signal
+constexpr int torque_input = 98;     // value of P in G31 P98, where a torque limit takes the place of a probe signal
 constexpr double full_torque = 255;  // value of Q that means 100 % torque
 constexpr double max_torque_word = 254;
 

@@ -25,7 +25,7 @@ Status look_ahead(Emitter& m, const Call& call) {
   return fail(alarm(AlarmId::look_ahead_wrong, m.has('P') ? m.where('P') : call.where, call.row->code));
 }
 
-/// M29 S (spec/fanuc 10.4): G84 and G74 tap rigidly until G80: the spindle is synchronised with the axis.
+/// Executes M29 S (spec/fanuc 10.4): until G80, G84 and G74 tap rigidly, with the spindle synchronised with the drilling axis.
 Status rigid_tapping(Emitter& m, const Call&) {
   fanuc_of(m).state.rigid_tap = true;
   return {};

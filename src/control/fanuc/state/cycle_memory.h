@@ -58,7 +58,7 @@ struct Finishing {
 
 /// The purpose of the probe motion in progress. The measurement is complete when the probe's answer has come.
 struct Measurement {
-  bool length = false;       // G37: the measurement corrects a length offset; false: G31
+  bool length = false;       // true (G37): the measurement corrects a tool length offset; false (G31): no offset changes
   std::size_t axis = 0;      // the measured axis
   double expected = 0;       // G37: work coordinate in mm at which the probe's signal is expected
   double window = 0;         // N3005: greatest permitted distance in mm of the probe's signal from `expected`

@@ -18,7 +18,7 @@ namespace kadr::fanuc {
 inline constexpr std::size_t max_spindles = 16;
 
 struct AxisSettings {
-  bool diameter = false;              // N0106 #0 DIA: diameter programming at power-on
+  bool diameter = false;              // N0106 #0 DIA: the axis is in diameter programming at power-on
   bool switches_by_code = false;      // N0106 #5 MGD: G10.9 may switch diameter programming
   int role = 0;                       // N0103: role of the axis: 1, 2, 3 main axis X, Y, Z; 5, 6, 7 axis parallel to X, Y, Z; 0 neither
   bool rolls = false;                 // N0107 #0 REN: a rotary axis whose position restarts at 0 after each travel of `period` degrees
@@ -34,7 +34,7 @@ struct AxisSettings {
 struct SpindleSettings {
   bool orients = false;                 // N0607 #1 ORI: M19 can orient the spindle
   bool indexes = false;                 // N0607 #2 INX: the position loop of the spindle can be closed
-  bool index_negative = false;          // N0607 #7 IDS: indexing turns in the negative direction
+  bool index_negative = false;          // N0607 #7 IDS: indexing turns the spindle in the negative direction
   int m_low = 0, m_high = 0;            // N0689, N0690: first and last optional M code of the spindle; 0: none
   int index_from = 0, index_count = 0;  // N0820, N0821: first M code that indexes the spindle, and number of such codes
   double index_angle = 0;               // N0822: angle in degrees by which one step of indexing turns the spindle

@@ -34,7 +34,7 @@ Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
 class ThreadRun final : public SteppedCycleValue<ThreadRun> {
  public:
   struct Job {
-    Vec2 start, target;  // `target` is the end of the thread at its root
+    Vec2 start, target;  // points of the plane: start of the cycle, and end of the thread at its root
     double taper = 0;    // difference between start and end of the thread along the second axis, mm
     double height = 0;   // height of the thread from root to crest, mm
     double first = 0;    // depth of the first pass (Δ1), mm

@@ -57,7 +57,8 @@ struct FlatArc {
   Vec2 from, to, center;
   double turns = 0;
 };
-/// Returns the angle in degrees by which the line from the pole to the tool rotates along the arc, full revolutions included (4.5).
+/// Returns the angle in degrees through which the line from the pole to the tool turns while the tool moves along the arc (4.5). Full
+/// revolutions count too.
 double swept_about_pole(const FlatArc& arc);
 /// Returns a programmed point after mirroring, scaling and rotation (16.0).
 Axes transformed(const BlockContext& m, const Axes& programmed);
