@@ -31,8 +31,8 @@ class Interpreter final : public Emitter {
   ~Interpreter();
 
   Control::State run(ActionBatch& batch);
-  /// Returns nullopt while the control waits for a probe. `cutting_seen_ms`: time in ms that Control needs after a restore; the interpreter
-  /// only stores the value.
+  /// Returns the state of the run as a snapshot; nullopt while the control waits for the result of a probe motion. `cutting_seen_ms`: a
+  /// time in ms that the Control needs after a restore; the interpreter only stores it.
   std::optional<Snapshot> snapshot(double cutting_seen_ms) const;
   Status restore(const Snapshot& from);
   void answer(const ProbeAnswer& answer);
@@ -105,7 +105,7 @@ class Interpreter final : public Emitter {
 
   using BlockContext::flow;  // position in the program; public, because a function may change it
 
-  Block first_block;  // stands for the current block before the first block is read, and after a restore in the middle of a block
+  Block first_block;  // block that serves as the current block before the first block is read, and after a restore in the middle of a block
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
   LineMarks* line_marks = nullptr;

@@ -45,7 +45,7 @@ class BlockRewriter {
  private:
   struct Kinds;
   struct PlainWord {
-    Words form;    // number format of the word on the target control
+    Words form;    // number format, on the target control, of a word that is to be written
     double scale;  // factor that converts the number in the source text to mm, degrees, s, …
   };
   bool is_plain(const Block& block) const {
@@ -87,7 +87,7 @@ class BlockRewriter {
   const CodeRow* motion_ = nullptr;  // motion code in force in the source text
   bool motion_is_cycle_ = false;
   struct Stops {
-    // by_block: the target control has exact stops for a single block only; by_mode: as a mode only
+    // by_block: the target control has only exact stops for a single block; by_mode: it has only an exact stop mode
     bool by_block = false, by_mode = false;
     bool is_mode = false;  // exact stop mode is in force in the source text
     bool goes_on = false;  // the exact stop mode was switched on for this block only, and end() switches it off

@@ -52,8 +52,8 @@ VariableKind kind_of(VariableKind kind) {
   return kind == VariableKind::zero ? VariableKind::fixture : kind;
 }
 
-/// Returns the index of the variable within its kind. One family of controls has all work offsets in one row, the other family has a row
-/// for each.
+/// Returns the number of the variable among the variables of the same kind. One family of controls has all work offsets in one table row,
+/// the other family has a row for each.
 std::uint32_t place_in_kind(const VariablePlace& place) {
   constexpr std::uint32_t a_system = 1000;
   const bool row_each = place.row->kind == VariableKind::zero;

@@ -16,7 +16,7 @@
 namespace kadr {
 namespace {
 
-constexpr int max_rounds = 100;  // greatest number of rounds; each round rewrites and proves the program once
+constexpr int max_rounds = 100;  // greatest number of rounds; each round rewrites the whole program and proves it once
 // Number of rounds at the beginning that stop soon after a line that cannot be expressed.
 constexpr int early_rounds = 3;
 constexpr std::size_t max_work = 6'000'000;  // greatest number of lines, blocks and motions processed in all rounds together

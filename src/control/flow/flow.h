@@ -34,9 +34,10 @@ struct CallFrame {
   std::int16_t work_offset_row = -1;
   std::array<std::int16_t, 3> then{-1, -1, -1};  // code rows of the calling block that are executed on return: M17, M20, M2; -1: none
   // nct
-  std::uint8_t modal_calls = 0;   // number of modal macro calls that are in force in the caller (nct 23.3.2)
-  bool opened_level = false;      // the call is an interrupt macro that has its own local variables
-  std::int32_t return_to = -1;    // M99 P: number of the caller's block at which the caller continues; -1: the caller continues at `back`
+  std::uint8_t modal_calls = 0;  // number of modal macro calls that are in force in the caller (nct 23.3.2)
+  bool opened_level = false;     // the call is an interrupt macro that has its own local variables
+  // M99 P: number of the caller's block at which the caller continues; -1: M99 has no P, and the caller continues after the call
+  std::int32_t return_to = -1;
   char called_by = 0;             // address of the word that called; inside the call this address calls no macro (nct 23.3.4–23.3.8)
   std::int32_t called_code = -1;  // code number of the word that called, in tenths
 };
@@ -172,7 +173,8 @@ class Flow {
   }
 
   bool ended() const { return now_.ended; }
-  /// Closes the innermost call or repetition, whose end was not found. If a repetition is closed, the program continues at `again`.
+  /// Closes the innermost call or repetition, whose end was not found. If a repetition is closed, the program continues at the position
+  /// `again`.
   void abandon(std::optional<Position> again);
   std::string shown(std::string_view text, Span& place) const {
     return visiting_ ? elsewhere_->shown(text, place) : now_.reader != 1 ? files_[now_.reader]->shown(text, place) : std::string(text);
@@ -238,7 +240,7 @@ class Flow {
   Counts now_;
   std::map<std::uint32_t, Label> labels_;
   bool indexed_ = false;
-  bool visiting_ = false;  // each_uncalled() is being executed, and `elsewhere_` is the reader
+  bool visiting_ = false;  // true while each_uncalled() reads the subprograms that were never called, with the reader `elsewhere_`
 };
 
 }  // namespace kadr

@@ -124,7 +124,8 @@ void Interpreter::assume_meant_position() {
   if (modal.absolute) unknown_position &= ~by_words;
 }
 
-/// Called after an executed block. The axes to which the block gives an absolute coordinate are removed from unknown_position.
+/// Removes from unknown_position the axes to which the executed block has given an absolute coordinate, because the positions of these axes
+/// are known again.
 void Interpreter::note_placed() {
   if (is_stopped() || !modal.absolute || block->statement.kind != StatementKind::none) return;
   for (std::size_t a = 0; a < axis_count; ++a) {

@@ -37,7 +37,7 @@ Status set_plane(Emitter& m, Plane plane) {
 
 Status set_feed_mode(BlockContext& m, FeedMode mode) {
   Modal& modal = m.modal;
-  // The dialect stores a feed for each unit (nct 6.2.1), so the two feeds are exchanged.
+  // The dialect stores a separate feed per minute and per revolution (nct 6.2.1), so the feed in force is exchanged with the stored one.
   if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {
     std::swap(modal.feed, modal.other_feed);
     std::swap(modal.feed_known, modal.other_feed_known);

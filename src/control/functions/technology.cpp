@@ -215,7 +215,8 @@ Status program_stop(Emitter& m, const Call&) {
 Status optional_stop(Emitter& m, const Call& call) {
   stop_off_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
-  // Arg 1: the stop is emitted in every case, because the machine's logic reads the switch.
+  // On a control with arg 1 in the row of M01, the stop is emitted whatever the switch, because the machine's logic reads the switch
+  // itself.
   const bool always_reported = call.row->arg == 1;
   if (m.optional_stop_on || always_reported) m.emit(Stop{true});
   return {};

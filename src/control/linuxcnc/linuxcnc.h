@@ -40,7 +40,7 @@ inline constexpr std::size_t max_spindles = 8;
 inline constexpr double whole_within = 1e-4;  // tolerance within which a value counts as a whole number (spec/linuxcnc 2.3)
 inline constexpr std::string_view axis_letters = "XYZABCUVW";  // axis letters, in the order of tables and of the control's axes
 inline constexpr std::size_t axes_of_tables = axis_letters.size(), usual_axes = 6, axis_u = 6;
-inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // true for A, B and C
+inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // true for the indices of the rotary axes A, B and C
 
 /// A tool of the tool table (spec/linuxcnc 9). Lengths are in mm, angles in degrees.
 struct Tool {

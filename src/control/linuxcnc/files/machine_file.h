@@ -33,7 +33,7 @@ struct MachineFile {
   bool known = false;  // the set-up names an ini file, which has been read
   Ini ini;
   std::string axes;                                   // [TRAJ]COORDINATES: letters of the axes; empty if the file does not give them
-  double unit = 1;                                    // [TRAJ]LINEAR_UNITS: unit of the lengths in tables and limits, in mm
+  double unit = 1;                                    // [TRAJ]LINEAR_UNITS: length in mm of the unit that tables and limits use
   std::array<std::pair<double, double>, 9> limits{};  // [AXIS_…]MIN_LIMIT and MAX_LIMIT by axis, in mm or degrees; ±1e300: no limit
   int spindles = 1;
   double orient_offset = 0;  // angle that is added to the angle of M19, degrees

@@ -31,7 +31,7 @@ struct Thread {
   double pitch = 0;                          // P: pitch
   double taper = 0;                          // word E: length of the taper along Z, with the sign of the travel along Z
   double taper_pitch = 0;                    //
-  bool taper_in = false, taper_out = false;  // word L: the thread has a taper at its start, at its end
+  bool taper_in = false, taper_out = false;  // taper_in: the thread has a taper at its start; taper_out: at its end (word L)
   int spring = 0;                            // word H: number of spring passes
   double target = 0;                         // coordinate Z at the end of the first pass
   Axes end{};                                // end point, programmed coordinates
