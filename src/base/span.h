@@ -1,5 +1,5 @@
 #pragma once
-// Span and Position: locations in the source text of a program.
+// Span and Position: a range of bytes in a line of a program's source text, and the location of a block in its file.
 
 #include <cstdint>
 

@@ -51,7 +51,7 @@ class BlockContext : public ControlState, public RunMemory {
   ///   alarms  value_out_of_range, word_not_integer
   Status check_ranges() const;
   bool has_axis_words() const { return (block->letters & letters.axes) != 0; }
-  /// Rebuilds the set of addresses of the block, after words were removed (address 0) or restored.
+  /// Rebuilds the set of addresses that the block has, after words were removed from the block (their address is 0) or restored.
   void note_addresses();
 
   // ---- coordinates that the words mean
@@ -92,7 +92,7 @@ class BlockContext : public ControlState, public RunMemory {
   const ControlState& state_before() const { return before_; }
   bool keeps_state() const { return state_saved_; }
   bool keeps_flow_place() const { return flow_before_.has_value(); }
-  /// Returns which state a block with this plan may change. Only the plan decides here; a dialect may override the decision.
+  /// Returns which parts of the state a block with this plan may change. Only the plan decides here; a dialect may override the decision.
   BlockChanges changes_of_block(const Plan& plan) const;
 
   // ---- course of the program

@@ -24,7 +24,7 @@ struct Call {
   Span where;
 };
 
-inline constexpr std::size_t batch_size = 64;  // number of actions that run() emits at a time
+inline constexpr std::size_t batch_size = 64;  // number of actions at which a batch is full, so that run() returns
 
 /// A canned cycle that is executed in parts, a few actions at a time, so that a cycle of any length needs constant memory.
 class SteppedCycle {
@@ -84,7 +84,7 @@ class Emitter : public BlockContext {
   /// Sets the position to the end of a motion. Axes that are not in `named` keep their coordinates.
   void move_to(const Axes& programmed, const Axes& work, AxisMask named);
   Motion& add_motion(MotionKind kind, AxisMask named);
-  /// Adds a motion as add_motion() does, but with the given modes. The motion ends at the position that was computed last.
+  /// Adds a motion to the position that was computed last, as add_motion() does, but with the given modes instead of the modes in force.
   Motion& add_motion_as(const MotionModes& modes, AxisMask named);
   Status feed_known(Span where);
   /// Sets the motion's feed, unit and exact stop from the modal state.

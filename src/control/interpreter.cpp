@@ -175,8 +175,7 @@ void Interpreter::take_block() {
     return watch_block();
   if (const Status status = execute_block(); !status) fail_with(status.error());
   else report_changes();
-  // M96 in this block may have enabled interrupt macros; then the end of the block is observed already
-  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;
+  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 in this block may have enabled interrupt macros
 }
 
 /// Returns true if the machine's logic observes each block, or if an interrupt macro may be called.
@@ -201,8 +200,7 @@ void Interpreter::watch_block() {
     return;
   }
   if (block->skip != 0 && !skipped) dialect->note_skip_mark(*this);
-  // the skip switch was evaluated above, so the skip mark is removed while the block is executed
-  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});
+  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was evaluated already
   const Status status = instead ? execute_block() : Status(fail(instead.error()));
   if (!skipped) block->skip = skip;
   if (!status) fail_with(status.error());
@@ -385,9 +383,7 @@ BlockChanges BlockContext::changes_of_block(const Plan& plan) const {
 
 /// Checks that shifts and scale factors have not moved the tool to a coordinate that the control cannot represent.
 Status Interpreter::check_place() const {
-  // limit in mm or degrees, greater than that of a coordinate (`farthest`), because large values of origin, tool length and coordinate may
-  // cancel
-  constexpr double most = 4 * farthest;
+  constexpr double most = 4 * farthest;  // limit, mm or degrees; above `farthest`, because origin, tool length and coordinate may cancel
   for (std::size_t a = 0; a < axis_count; ++a)
     for (const double v : {frames.origin[a], frames.length[a], position.programmed[a], position.work[a], position.machine[a]})
       if (!(std::fabs(v) <= most)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], v));

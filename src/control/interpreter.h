@@ -101,7 +101,7 @@ class Interpreter final : public Emitter {
   /// Checks the ranges of the words and executes the assignments among them.
   Status take_words();
 
-  // ---- data that the functions work on
+  // ---- data that the functions of codes and addresses work on
 
   using BlockContext::flow;  // position in the program; public, because a function may change it
 
@@ -198,7 +198,7 @@ class Interpreter final : public Emitter {
   // Items of the plan, such as stops and ends, that wait for the end of the canned cycle.
   std::array<std::uint8_t, limits::block_words> waiting_{};
   std::size_t waiting_count_ = 0;
-  // Tables of the last snapshot; the next snapshot shares these tables if they have not changed.
+  // Tables of the last snapshot; the next snapshot shares these tables, instead of a copy, if they have not changed.
   mutable std::shared_ptr<const Tables> last_tables_;
   mutable std::shared_ptr<const Variables::Values> last_variables_;
   std::unique_ptr<BlockStates> block_states_;  // recorded states after blocks; nullptr: states are not recorded

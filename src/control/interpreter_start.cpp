@@ -209,7 +209,7 @@ void Interpreter::start_modal(const Setup& setup) {
   batch = nullptr;
 }
 
-/// Returns true if the control has a code with this name.
+/// Returns true if the control's table has a code with this name, such as `G54`.
 bool Interpreter::starts(const std::string& text) const {
   if (text.size() < 2) return false;
   if (text[0] < 'A' || text[0] > 'Z') return false;

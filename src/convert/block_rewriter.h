@@ -90,9 +90,9 @@ class BlockRewriter {
     // by_block: the target control has only exact stops for a single block; by_mode: it has only an exact stop mode
     bool by_block = false, by_mode = false;
     bool is_mode = false;  // exact stop mode is in force in the source text
-    bool goes_on = false;  // the exact stop mode was switched on for this block only, and end() switches it off
+    bool goes_on = false;  // true: the exact stop mode was switched on for this block only, so end() must switch it off
   } stops_;
-  bool is_metric_ = false;  // the target control reads mm only
+  bool is_metric_ = false;  // true: the target control reads lengths in mm only, not in inches
   bool is_inch_ = false, in_section_ = false;
   bool repeats_modes_ = false, repeats_feed_ = false;
   double feed_ = -1;  // number of the last F word in the source text; -1: none yet

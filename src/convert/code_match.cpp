@@ -13,7 +13,7 @@ namespace {
 
 struct Meaning {
   Function function = Function::count;
-  int arg = 0;  // argument of the function; the value any_argument matches every argument
+  int arg = 0;  // argument of the function in the control's table; the value any_argument matches every argument
 };
 
 /// Each row lists functions that have the same effect on controls of different families.

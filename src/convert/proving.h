@@ -18,10 +18,10 @@ namespace kadr {
 
 class Proving {
  public:
-  ///   opened  an opened session of the source program that has not been run
+  ///   opened  a session that has opened the source program and has not run it yet
   Proving(const ConversionSpec& spec, const Session& opened, const ProgramShape& shape, CompareRules rules);
 
-  /// Returns the set-up of the target control with which a text that this conversion method has produced begins.
+  /// Returns the set-up of the target control with which it begins to run a text that this conversion method has produced.
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup_ : setup_; }
 
   ///   returns  an error sentence if a session could not be opened

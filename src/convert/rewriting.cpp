@@ -280,7 +280,7 @@ class Rewriter {
   Block block_;
   const FlatRange* last_place_ = nullptr;
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
-  // position of the first line that the line reader raw_ has not read yet; line number 0: there is no such line
+  // position of a line that the line reader raw_ has not read yet; line number 0: there is no such line
   Position passed_{0, 0, 0};
   std::uint32_t label_ = 0;            // label of the subprogram in the section that is being written
   std::uint32_t last_in_section_ = 0;  // last block number in the section of subprograms of the target control

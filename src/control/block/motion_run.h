@@ -34,7 +34,7 @@ class MotionRun {
   bool take(Interpreter& m);
 
  private:
-  /// Ends the run of plain motions. The result is what take() returns for a block that the run does not cover.
+  /// Ends the run of plain motions, because it does not cover the current block. Returns false, which take() then returns too.
   bool refused() {
     end();
     return false;
@@ -43,7 +43,7 @@ class MotionRun {
   /// The motion codes of a run of plain motions; the values are indices of rows_ and modes_.
   enum Kind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, kinds };
 
-  /// One word of a block: an axis, an arc centre or the feed.
+  /// One word of a motion block and its meaning: the end coordinate of an axis, a coordinate of the arc centre, or the feed.
   struct Slot {
     std::uint8_t word = no_word;  // index in Block::words
     std::uint8_t axis = 0;
@@ -57,10 +57,10 @@ class MotionRun {
     std::uint64_t letters = 0;  // letters of those words of the block `repeated` that have a value (not vacant)
     bool fits = false;          // true: blocks of this shape are plain motions, which the fast path executes
     bool calls = false;         // true: blocks of this shape only call a subprogram, or only return from a subprogram
-    // Index of the word that calls, if a block of this shape can be executed without a plan (Interpreter::quick_call); no_word for other
+    // Index of the word that calls, if a block of this shape can be executed without a plan (see quick_call); no_word for other
     // blocks.
     std::uint8_t call = no_word;
-    // Row of the block's motion code in ControlDef::codes; -1: the block has no motion code, and the modal one applies.
+    // Row, in ControlDef::codes, of the motion code of the block; -1: the block has no motion code, and the motion code in force applies.
     std::int16_t row = -1;
     std::uint8_t axes = 0, codes = 0;  // `axes`: number of elements in use in `slots`; `codes`: number of elements in use in `steady`
     // Rows, in the control's table, of those codes of the block that are not motion codes. The fast path covers the block only while these
@@ -93,7 +93,7 @@ class MotionRun {
   std::uint8_t known_ = 0;
   // motion codes whose stored modes still have an earlier feed; bit i stands for the code with the value i of Kind
   std::uint8_t old_feed_ = 0;
-  double feed_ = 0;  // value of Modal::feed after the last block
+  double feed_ = 0;  // feed in force after the last block (Modal::feed), to detect a change by other blocks
   bool absolute_ = true;
   // the axes that roll over, from Dialect::rolling_axes(); a block that has a word of one of them is executed the general way
   AxisMask rolling_ = 0;

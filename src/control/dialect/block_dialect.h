@@ -22,7 +22,7 @@ enum class BlockMoment : std::uint8_t { start, end };
 
 /// The state that a block may change. Only this state is saved before the block, so that an alarm can restore it.
 enum class BlockChanges : std::uint8_t {
-  position,  // The block changes only the position: its motion either fails before it starts, or is executed.
+  position,  // the block changes only the position: its motion either fails before it starts, or is executed
   little,    // the block changes the position, the motion code and the feed
   cycle,     // the block changes the position, the motion code, the feed, and the stored words of a drilling cycle
   anything,

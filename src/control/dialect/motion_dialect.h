@@ -47,7 +47,7 @@ class MotionDialect {
   /// Checks that the program may move the axes `named`.
   virtual Status may_move(const BlockContext& m, AxisMask named) const;
   virtual void note_motion(Emitter& m, Motion& motion);
-  /// Returns the feed of a motion that is programmed in inches, in mm/min or degrees/min.
+  /// Returns, in mm/min or degrees/min, the feed of a motion that is programmed in inches.
   virtual double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const;
   /// Updates the dialect's own data when a feed that the block gives comes into force.
   virtual void note_feed(BlockContext& m);

@@ -20,12 +20,13 @@ namespace kadr {
 struct CallFrame {
   enum class Kind : std::uint8_t { subprogram, cycle_body, repetition, macro, interrupt };
   Kind kind = Kind::subprogram;
-  Position start;            // position of the first block that is called or repeated
-  Position back;             // position of the block at which the caller continues
-  std::uint16_t reader = 0;  // number of the file that contains `start`: 0 the program, 1 the cycle bodies, 2 and more other files
+  Position start;  // position of the first block that is called or repeated
+  Position back;   // position of the block at which the caller continues
+  // number of the file that contains the block at `start`: 0 the program, 1 the bodies of canned cycles, 2 and more other files
+  std::uint16_t reader = 0;
   std::uint16_t back_reader = 0;
   std::uint32_t name = 0;  // subprogram number
-  std::uint32_t left = 0;  // remaining passes, including the present one
+  std::uint32_t left = 0;  // number of passes that remain to be executed, including the present one
   std::uint32_t done = 0;  // number of passes started
   bool repeating = false;  // true from the second pass of the repetition on
   Origin caller;
@@ -81,7 +82,7 @@ class Flow {
     std::size_t depth = 0;
     std::string line;
   };
-  /// The part of the state that is valid from one block to the next.
+  /// The data of Flow that remain valid from one block to the next.
   struct Counts {
     std::uint16_t reader = 0;
     std::vector<CallFrame> frames;
@@ -230,7 +231,8 @@ class Flow {
 
   const ControlDef& def_;
   RunLimits limits_;
-  std::vector<std::unique_ptr<ProgramFile>> files_;  // files by number; element [1] is reserved for the cycle bodies
+  // readers of the files by file number; element [1] is reserved for the bodies of canned cycles
+  std::vector<std::unique_ptr<ProgramFile>> files_;
   std::map<std::string, std::uint16_t> opened_, built_in_;
   std::unique_ptr<BlockReader> elsewhere_;  // a second reader of the program's file; the first one still has the text of the current block
   Grammar body_grammar_;

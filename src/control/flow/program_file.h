@@ -21,8 +21,8 @@ struct KeptBlock {
   Block block;
   std::string text;
   Position next;
-  KeptBlock* following = nullptr;  // kept block at the position `next`
-  KeptBlock* jumped = nullptr;     // kept block that was the target of the last jump from this block
+  KeptBlock* following = nullptr;  // block kept in memory that follows this one, at the position `next`
+  KeptBlock* jumped = nullptr;     // block kept in memory to which this block jumped last
   std::uint64_t jumped_to = 0;     // position of the block `jumped`, packed into one number by key_of()
 };
 
@@ -131,7 +131,7 @@ class ProgramFile {
   bool moved_ = false;  // true: the next block is at `elsewhere_`; false: the next block is at the position of the reader
   // the part of the state that snapshots copy; its member `reader` is unused, because reader_ stores that state itself
   Memory memory_;
-  KeptBlock* last_ = nullptr;  // the kept block that was returned last
+  KeptBlock* last_ = nullptr;  // the block kept in memory that was returned last to the caller
   // blocks kept in memory for loops; the key is the position of the block, packed by key_of()
   std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;
   // Results of searches: {key of the block where the search started; number} → position of the block found.

@@ -142,7 +142,7 @@ void Interpreter::keep_from_faulty_block() {
   const bool of_flow = id == AlarmId::return_without_call || id == AlarmId::repeat_end_alone || id == AlarmId::repeat_end_missing ||
                        id == AlarmId::subprogram_end_missing || id == AlarmId::endless_program;
   const Word* const f = block->find('F');
-  // In inverse time each block needs its own F.
+  // In inverse time mode (G93) each block needs its own F, so no feed is assumed in place of a missing F.
   const bool is_missed = id == AlarmId::feed_missing && modal.feed_mode != FeedMode::inverse_time;
   if ((f != nullptr || is_missed) && !(modal.feed_known && modal.feed > 0)) {
     modal.feed_known = true;

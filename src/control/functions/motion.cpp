@@ -299,8 +299,8 @@ void Emitter::change_frames() {
 void Emitter::apply_mirror() {
   for (std::size_t a = 0; a < axis_count; ++a) {
     bool on = mirror_switches[a];
-    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: in G18 the coordinate Y is not mirrored
-    if (a == 0 && modal.plane == Plane::yz) on = false;  // in G19 the coordinate X is not mirrored
+    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: in G18 the panel's mirror switch for Y has no effect
+    if (a == 0 && modal.plane == Plane::yz) on = false;  // 2С42 6.8: in G19 the panel's mirror switch for X has no effect
     transform.mirror[a] = on ? std::int8_t{-1} : std::int8_t{1};
   }
   transform.refresh();

@@ -55,7 +55,7 @@ Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double 
   const bool arc =
       m.has_code({Function::arc_cw, Function::arc_ccw}) ||
       (!m.has_code({Function::rapid, Function::linear}) && (m.modal.motion == MotionMode::arc_cw || m.modal.motion == MotionMode::arc_ccw));
-  // INFERRED: an axis has no feed of its own on an arc.
+  // INFERRED: on an arc, F after the word of one axis is not allowed, because a single axis has no feed of its own on an arc.
   if (arc) return fail(alarm(AlarmId::not_together, call.where, m.block->text_of(call.where), "G2, G3"));
   if (!(feed > 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'F', feed));
   m.modal.axis_feed[axis] = feed;

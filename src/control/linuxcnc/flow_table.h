@@ -88,7 +88,7 @@ class FlowTable {
   Label defining = no_label;  // label of the subprogram whose definition is being skipped; no_label: no definition is being skipped
   std::string refused;        // text of a fault that is reported at the line to which a call has jumped
   std::vector<Label> calls;   // labels of the open subprograms
-  std::vector<bool> by_m98;   // by open subprogram: true if M98 has called it
+  std::vector<bool> by_m98;   // for each open subprogram, outermost first: true if M98 has called it
 
   // `continue` in a do loop and `break` in a while loop set these flags, but the loop does not clear them. The next loop that ends acts as
   // if it had executed the statement itself. This is a fault of LinuxCNC 2.9 (doing_continue and doing_break of LinuxCNC's source).

@@ -366,8 +366,9 @@ bool FlatProgram::is_written_by_lead(const Motion& motion, int turns) const {
   return false;
 }
 
-///   centre, to  machine coordinates
-///   turns       number of revolutions, rounded up, since the last one may be incomplete
+/// Adds to one block the words of an arc, or of a helix of several revolutions.
+///   centre, to  centre and end point of the arc, machine coordinates
+///   turns       number of revolutions of the helix, rounded up, since the last one may be incomplete
 Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to, int turns) {
   KADR_TRY(motion_code(function));
   const Axes zero = base();

@@ -44,8 +44,8 @@ struct FlatBefore {
 struct FlatSource {
   std::vector<std::string> axes;  // axis names
   std::map<int, Axes> zeros;      // work offsets of the set-up, mm, by number of the work system
-  bool has_systems = true;        // the source control has work systems
-  bool same_messages = true;      // both controls display messages in the same way, without a code; if false, messages become comments
+  bool has_systems = true;        // true: the source control has work systems (G54 …)
+  bool same_messages = true;      // true: both controls display messages in the same way, without a code; false: messages become comments
   // Number of each M function on the target control, by number on the source control, if the tables of both controls state another number.
   std::map<std::uint32_t, std::uint32_t> machine_codes{};
   // M codes of the target control for coolant off, mist and flood, by value of Coolant, if the tables state them

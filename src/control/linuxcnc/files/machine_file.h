@@ -45,8 +45,9 @@ struct MachineFile {
   bool random_changer = false;           // RANDOM_TOOLCHANGER: T0 is a real tool, not an empty spindle
   bool spindle_turns_in_change = false;  // TOOL_CHANGE_WITH_SPINDLE_ON: the spindle is not stopped for a tool change
   bool keeps_length = false;             // RETAIN_G43: after a tool change the new tool's length is applied
-  std::array<bool, 3> wrapped{};  // by axis A, B, C: the axis counts one revolution, and the sign of its word is the direction of rotation
-  std::array<bool, 3> indexed{};  // by axis A, B, C: the axis is an indexer, which moves only alone and by G0
+  // for each of the axes A, B, C: true if the axis counts one revolution, and the sign of its word is the direction of rotation
+  std::array<bool, 3> wrapped{};
+  std::array<bool, 3> indexed{};  // for each of the axes A, B, C: true if the axis is an indexer, which moves only alone and by G0
   std::string startup;            // RS274NGC_STARTUP_CODE: codes that are executed at power-on
   std::string parameter_file;     // PARAMETER_FILE
   std::string tool_table;         // TOOL_TABLE
