@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-constexpr int inner_corners = 62, without_slowing = 63;  // values of CodeRow::arg in the rows of G62 and G63 of the NCT
+constexpr int inner_corners = 62, without_slowing = 63;  // values of CodeRow::arg in the rows of G62 and G63
 // value of CodeRow::arg in the row of G64 of the NCT, whose function is Function::feed_control
 constexpr int continuous_cutting = 64;
 
