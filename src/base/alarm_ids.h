@@ -120,7 +120,7 @@
   X(rs274_form) X(rs274_codes) X(rs274_words) X(rs274_parameter) X(rs274_expression) X(rs274_motion) X(rs274_arc) \
   X(rs274_compensation) X(rs274_cycle) X(rs274_spindle) X(rs274_data) X(rs274_tool) X(rs274_flow) X(rs274_program) X(rs274_probe) \
   X(rs274_io) X(rs274_abort) \
-  /* alarms of controls that check each line by itself (spec/grbl) */                        \
+  /* alarms of Grbl, which checks each line by itself (spec/grbl) */                          \
   X(value_below_zero) X(block_number_large) X(tool_number_large) X(system_number_large) X(length_axis_wrong) X(arc_without_plane_word) \
   X(jog_code) X(jog_target) X(system_line) X(system_line_passed) X(homing_off) X(soft_limits_need_homing) X(step_pulse_short) \
   X(reference_in_cycle) X(reference_missed) X(look_ahead_wrong) X(call_without_program) X(dwell_missing) X(table_kind_unknown) X(pocket_words_wrong) X(machine_code_unknown) X(offset_number_large) \

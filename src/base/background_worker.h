@@ -54,7 +54,8 @@ class BackgroundWorker {
 
   std::function<void()> work_;
   std::exception_ptr failure_;
-  bool begun_ = false;  // begin() was called, and wait() has not been called after it
+  // true: a task has begun and its result is still awaited: begin() was called, and wait() has not been called after it
+  bool begun_ = false;
   // True if there is a single processor, or if no thread could be created; begin() then executes the task itself.
   bool alone_ = false;
   Thread thread_;  // the worker thread, started by the first begin()

@@ -21,7 +21,7 @@ inline constexpr std::size_t lanes = 8;
 using Pair = double __attribute__((vector_size(16)));
 using Four = double __attribute__((vector_size(32)));
 
-/// Returns for each lane the value of `then` if `sign` is above 0, else the value of `otherwise`.
+/// Returns a vector whose lanes are those of `then` where the lane of `sign` is above 0, and those of `otherwise` elsewhere.
 template <class V>
 KADR_LANES V where_positive(const V& sign, const V& then, const V& otherwise) {
   return sign > 0 ? then : otherwise;

@@ -13,7 +13,7 @@ class FileAccess {
   /// Opens a regular file for reading, without blocking.
   ///   returns  a file descriptor that the caller owns, or -1 with the reason in errno
   virtual int open_for_reading(const std::string& path) const = 0;
-  /// Returns true if the path lies inside the folders that may be searched. Links in the path are not resolved for this check.
+  /// Returns true if the path is inside the folders that this FileAccess may open. Links in the path are not resolved for this check.
   virtual bool reaches(const std::string& path) const = 0;
 };
 

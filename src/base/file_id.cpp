@@ -41,7 +41,7 @@ std::string true_path(const std::string& path) {
   for (int i = 0; i < max_links; ++i) {
     if (const auto real = real_path(at.string())) return *real;
     std::error_code error;
-    // The path may be a link whose target does not exist yet, so the link is read directly
+    // The path may be a link to a file that does not exist yet, so the target of the link is read here.
     const fs::path target = fs::read_symlink(at, error);
     if (error) break;
     at = target.is_absolute() ? target : at.parent_path() / target;

@@ -22,7 +22,7 @@ double refined(const F& f, const Interval& s, double error, int depth) {
   const Interval right{middle, s.to, s.at_middle, f((middle + s.to) / 2), s.at_to};
   const double halves = left.simpson() + right.simpson();
   const double gap = halves - s.simpson();
-  // The negated comparison is true if f is NaN, so the halving ends for NaN too
+  // The comparison is negated, so that it is true if f is NaN, and the halving of intervals ends for NaN too.
   if (depth == 0 || !(std::abs(gap) > 15 * error)) return halves + gap / 15;
   return refined(f, left, error / 2, depth - 1) + refined(f, right, error / 2, depth - 1);
 }

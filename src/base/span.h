@@ -1,5 +1,5 @@
 #pragma once
-// Span and Position: locations in the source text of a program.
+// Span and Position: a range of bytes in a line of a program's source text, and the location of a block in its file.
 
 #include <cstdint>
 
@@ -12,7 +12,7 @@ struct Span {
   friend bool operator==(const Span&, const Span&) = default;
 };
 
-/// The location of a block in its file, which is sufficient to read the block again.
+/// The location of a block in its file. From this location the block can be read again.
 struct Position {
   std::uint64_t offset = 0;  // byte offset of the block's line in the file
   std::uint32_t line = 1;    // line number of the block, counted from 1

@@ -1,5 +1,5 @@
 #pragma once
-// StopToken: lets the owner of a run end the run early.
+// StopToken: lets the owner of a run (a program, a simulation) end the run early, for example after Ctrl-C.
 
 #include <atomic>
 

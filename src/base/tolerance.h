@@ -19,9 +19,9 @@ inline constexpr double tangential = 1e-6;
 // mm: an arc whose radii at start and end differ by less than this still counts as circular, because the words of a program are rounded
 // (N1339)
 inline constexpr double circular = 0.05;
-// mm: nearer to the centre of a spiral than this, the speed is computed as at this radius; it is the controls' least increment
+// mm: if the radius of a spiral is smaller than this, its speed is computed as at this radius, which is the controls' least increment
 inline constexpr double least_radius = 1e-3;
-// mm/s: speed of a motion that its limits would otherwise bring to a stop; no program has so low a feed
+// mm/s: least speed of a motion that its limits would otherwise bring to a stop; no program has so low a feed
 inline constexpr double least_speed = 1e-6;
 // mm: greatest deviation from an arc that must be followed exactly; half the least increment of the controls
 inline constexpr double exact_path = 5e-4;

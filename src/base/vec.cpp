@@ -15,11 +15,13 @@ constexpr double root_half = 0.70710678118654752440;
 /// turns subtracted, modulo 4. The result is exact too: up to `most` degrees, neither the product of 90 and the number of quarter turns nor
 /// the difference is rounded, because that number has few digits. At ±45°, either of the two neighbouring quarters may result.
 double beyond_quarters(double deg, int& quarter) {
-  constexpr double most = 1e12, to_whole = 0x1.8p52;  // most: degrees; adding and subtracting to_whole rounds a number to a whole number
+  // most: greatest angle in degrees that this function reduces itself; to_whole: adding and then subtracting it rounds a number to a whole
+  // number
+  constexpr double most = 1e12, to_whole = 0x1.8p52;
   if (!(std::fabs(deg) < most)) return std::remquo(deg, 90.0, &quarter);
   double quarters = (deg / 90 + to_whole) - to_whole;
   double rest = deg - quarters * 90;
-  if (std::fabs(rest) > 45) {  // because of the quotient's rounding error, the neighbouring quarter was subtracted
+  if (std::fabs(rest) > 45) {  // the quotient's rounding error had led to the neighbouring quarter, so the angle is corrected by 90°
     const double one = std::copysign(1.0, rest);
     quarters += one;
     rest -= one * 90;
@@ -35,7 +37,8 @@ SinCos sincos_deg(double deg) {
   // The angle is reduced before the quarter is added, because the sum deg + 90 would be rounded.
   const double rest_deg = beyond_quarters(deg, quarter);
   const double rest = rest_deg * rad_per_deg;
-  const bool middle = std::fabs(rest_deg) == 45;  // at ±45°, the result must be the same for both neighbouring quarters
+  // at exactly ±45°, the result must be the same whether the angle was reduced to one quarter or to its neighbour
+  const bool middle = std::fabs(rest_deg) == 45;
   const double s = middle ? std::copysign(root_half, rest) : std::sin(rest);
   const double c = middle ? root_half : std::cos(rest);
   switch (quarter & 3) {

@@ -27,7 +27,7 @@ namespace kadr {
 // Greatest coordinate, mm or degrees; a coordinate beyond ten kilometres is a mistake in the program.
 inline constexpr double farthest = 1e7;
 
-/// ControlState is a base class, so `m.modal` is the modal state in which the block is executed.
+/// The block being executed and the modal state in which it is executed (`m.modal`, of the base class ControlState).
 class BlockContext : public ControlState, public RunMemory {
  public:
   // ---- words of the block
@@ -51,7 +51,7 @@ class BlockContext : public ControlState, public RunMemory {
   ///   alarms  value_out_of_range, word_not_integer
   Status check_ranges() const;
   bool has_axis_words() const { return (block->letters & letters.axes) != 0; }
-  /// Rebuilds the set of addresses of the block, after words were removed (address 0) or restored.
+  /// Rebuilds the set of addresses that the block has, after words were removed from the block (their address is 0) or restored.
   void note_addresses();
 
   // ---- coordinates that the words mean
@@ -92,7 +92,7 @@ class BlockContext : public ControlState, public RunMemory {
   const ControlState& state_before() const { return before_; }
   bool keeps_state() const { return state_saved_; }
   bool keeps_flow_place() const { return flow_before_.has_value(); }
-  /// Returns which state a block with this plan may change. Only the plan decides here; a dialect may override the decision.
+  /// Returns which parts of the state a block with this plan may change. Only the plan decides here; a dialect may override the decision.
   BlockChanges changes_of_block(const Plan& plan) const;
 
   // ---- course of the program
@@ -112,7 +112,7 @@ class BlockContext : public ControlState, public RunMemory {
   MacroVariables* macro_variables = nullptr;  // the dialect's variables if they have levels of local variables; nullptr on other controls
   std::vector<std::string> axis_names;
   std::size_t axis_count = 3;
-  bool has_fixtures = false;  // True: Modal::fixture has the number of the work system. False: Modal::work_zero has this number.
+  bool has_fixtures = false;  // true: the number of the work system is in Modal::fixture; false: it is in Modal::work_zero
   bool probe_stated = false;  // the set-up defines which surfaces a probe touches
   SetupFault start_fault;     // the set-up names an axis or table row that this control lacks. The fault is reported when the run starts.
 
@@ -137,8 +137,10 @@ class BlockContext : public ControlState, public RunMemory {
   Flow flow;
   ControlState before_;
   bool state_saved_ = false;
-  std::optional<Flow::Place> flow_before_;  // position in the program before the block; set if the block has a function that follows a jump
-  ShapeFacts* shape_ = nullptr;             // facts about the shape of the current block; nullptr if the block has no shape
+  // position in the program before the block; set if a function of the block changes the course of the program while the block may still
+  // fail
+  std::optional<Flow::Place> flow_before_;
+  ShapeFacts* shape_ = nullptr;  // facts about the shape of the current block; nullptr if the block has no shape
 };
 
 }  // namespace kadr

@@ -57,11 +57,13 @@ class Control {
   ///   ended        the program is at its end
   State run(ActionBatch& batch);
 
-  /// Called before each block that has been read. If the result is true, the block is not executed now, and the next run() reads the block
-  /// again. In the meantime the control answers every query, except queries about a block that is being executed.
+  /// A function of the client that decides whether the run pauses; the control calls it before each block that has been read. If the result
+  /// is true, the block is not executed now, and the next run() reads the block again. In the meantime the control answers every query,
+  /// except queries about a block that is being executed.
   std::function<bool(const Origin&)> holds_before;
-  /// Starts recording in `marks` the lines whose blocks are executed. From then on run() returns after `most` blocks at the latest, so that
-  /// the caller can read the marks. Read `marks` only while run() is not being executed (RunAhead::settle). nullptr ends the recording.
+  /// Starts recording in `marks` the lines whose blocks are executed; nullptr ends the recording. From then on run() returns after `most`
+  /// blocks at the latest, so that the caller can read the marks. The caller must read `marks` only while run() is not being executed
+  /// (RunAhead::settle).
   void note_lines(LineMarks* marks, std::uint64_t most);
   /// Returns true if a block is not finished, either because its canned cycle has more motions to emit, or because functions of the block
   /// wait for the end of the cycle.
@@ -126,10 +128,11 @@ class Control {
   /// Returns the line that an action comes from, for display; its text is empty if the line is in no file.
   AlarmReport::Line line_at(const Origin& origin) const;
 
-  /// Called before and after each executed block, so that the machine's logic can act (Control::set_signal, …). The call after a block
-  /// follows when run() has returned the actions of the block; there is no such call if the block failed.
+  /// A function of the client that lets the machine's logic act (Control::set_signal, …); the control calls it before and after each
+  /// executed block. The call after a block follows when run() has returned the actions of the block; there is no such call if the block
+  /// failed.
   std::function<void(const Origin&, bool at_end)> on_block;
-  /// Called for each signal that the machine's logic sets.
+  /// A function of the client that receives each signal which the machine's logic sets by set_signal(); the control calls it.
   std::function<void(const std::string& name, bool on)> on_signal;
   /// These functions are the inputs from the machine's logic and from the operator (nct): a signal, a skip switch, the switch for the
   /// optional stop, the answer to a message box (#3107).
@@ -149,7 +152,8 @@ class Control {
   void couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on);
   /// Returns the axes of this channel that are coupled to axes of other channels at present, or exchanged with them (nct 20.2, 20.3).
   const std::vector<CrossChannelAxis>& cross_channel_axes() const;
-  /// Called when the machine's logic may have changed cross_channel_axes(). At this moment the axes of both channels do not move.
+  /// A function of the client that reads cross_channel_axes() again; the control calls it when the machine's logic may have changed these
+  /// axes. At this moment the axes of both channels do not move.
   std::function<void()> on_cross_channel_axes;
   /// Ends a coupling or exchange of axes that is impossible. The axis becomes independent again, and a warning is reported.
   void drop_cross_channel(const CrossChannelAxis& axis);
@@ -189,15 +193,16 @@ class Control {
   /// Returns the rules of the control's own block search (session/block_search); nullopt if the control has no block search.
   std::optional<SearchRules> search_rules() const;
 
-  /// Called after each executed block that has changed data that survive power-off (nct).
+  /// A function of the client that receives the data that survive power-off (nct); the control calls it after each executed block that has
+  /// changed such data.
   std::function<void(const StateChanges&)> on_changes;
 
-  /// Called before a contour that is read ahead (nct 19.A 5) is executed. The function computes the corners of the contour: chamfers,
-  /// roundings, calculated end points. It is in the room path, which control does not include. `from`: start of the contour, work
-  /// coordinates.
+  /// A function of the client that computes the corners of a contour (chamfers, roundings, calculated end points) in the room path, which
+  /// control does not include. The control calls it before it executes a contour that is read ahead (nct 19.A 5). `from`: start of the
+  /// contour, work coordinates.
   std::function<std::optional<Alarm>(ActionBatch& contour, const Axes& from)> find_corners;
 
-  /// Called for every warning. Example: a letter looks like another letter.
+  /// A function of the client that receives every warning, for example that a letter looks like another letter; the control calls it.
   std::function<void(const AlarmReport&)> on_warning;
 
   /// Returns which data of a set-up the program has used. Variables and lines are included if watch_use() was called before the run.

@@ -24,7 +24,7 @@ struct Call {
   Span where;
 };
 
-inline constexpr std::size_t batch_size = 64;  // number of actions that run() emits at a time
+inline constexpr std::size_t batch_size = 64;  // number of actions at which a batch is full, so that run() returns
 
 /// A canned cycle that is executed in parts, a few actions at a time, so that a cycle of any length needs constant memory.
 class SteppedCycle {
@@ -34,7 +34,7 @@ class SteppedCycle {
   virtual std::unique_ptr<SteppedCycle> clone() const = 0;
   /// Emits the next few actions of the cycle. Returns false if the cycle is finished.
   virtual Result<bool> next(Emitter& m) = 0;
-  /// Called when the cycle is finished. The function may make the program continue at another block.
+  /// Finishes the cycle after its last action. The function may make the program continue at another block.
   virtual Status finish(Interpreter& m) const;
   /// Returns true if the other functions of the block are executed before the cycle continues (drilling, nct 18.0). If false, the functions
   /// that follow the motion wait until the cycle has ended.
@@ -84,7 +84,7 @@ class Emitter : public BlockContext {
   /// Sets the position to the end of a motion. Axes that are not in `named` keep their coordinates.
   void move_to(const Axes& programmed, const Axes& work, AxisMask named);
   Motion& add_motion(MotionKind kind, AxisMask named);
-  /// Adds a motion as add_motion() does, but with the given modes. The motion ends at the position that was computed last.
+  /// Adds a motion to the position that was computed last, as add_motion() does, but with the given modes instead of the modes in force.
   Motion& add_motion_as(const MotionModes& modes, AxisMask named);
   Status feed_known(Span where);
   /// Sets the motion's feed, unit and exact stop from the modal state.
@@ -117,7 +117,7 @@ class Emitter : public BlockContext {
   EllipseRun ellipse_run;
   std::unique_ptr<SteppedCycle> running;  // the dialect's canned cycle that is being executed; nullptr if no such cycle is being executed
   bool each_block = false;                // run() returns the actions of each block separately
-  // Called at the start and at the end of each block; nullptr if nothing observes the blocks.
+  // A function of the client, called by the interpreter at the start and at the end of each block; nullptr if nothing observes the blocks.
   std::function<void(const Origin&, bool)>* on_block = nullptr;
 
  protected:

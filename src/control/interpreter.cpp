@@ -175,7 +175,7 @@ void Interpreter::take_block() {
     return watch_block();
   if (const Status status = execute_block(); !status) fail_with(status.error());
   else report_changes();
-  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 in this block may have begun the observation
+  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 in this block may have enabled interrupt macros
 }
 
 /// Returns true if the machine's logic observes each block, or if an interrupt macro may be called.
@@ -200,7 +200,7 @@ void Interpreter::watch_block() {
     return;
   }
   if (block->skip != 0 && !skipped) dialect->note_skip_mark(*this);
-  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was evaluated above
+  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was evaluated already
   const Status status = instead ? execute_block() : Status(fail(instead.error()));
   if (!skipped) block->skip = skip;
   if (!status) fail_with(status.error());
@@ -235,7 +235,7 @@ Status Interpreter::end_of_file() {
   if (!done) return fail(done.error());
   if (*done) return {};
   if (flow.depth() == 0) {
-    // The file has no block, or lacks the closing sign %.
+    // True if the end of the file seems to be missing: the file has no block, or lacks the closing sign %.
     const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));
     if (def.behaviour.end_required || cut_off) warn(warning(AlarmId::end_missing, {}));
     return {};
@@ -383,7 +383,7 @@ BlockChanges BlockContext::changes_of_block(const Plan& plan) const {
 
 /// Checks that shifts and scale factors have not moved the tool to a coordinate that the control cannot represent.
 Status Interpreter::check_place() const {
-  constexpr double most = 4 * farthest;  // wider than `farthest`, because origin, length and coordinate may be large and cancel
+  constexpr double most = 4 * farthest;  // limit, mm or degrees; above `farthest`, because origin, tool length and coordinate may cancel
   for (std::size_t a = 0; a < axis_count; ++a)
     for (const double v : {frames.origin[a], frames.length[a], position.programmed[a], position.work[a], position.machine[a]})
       if (!(std::fabs(v) <= most)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], v));

@@ -31,8 +31,8 @@ class Interpreter final : public Emitter {
   ~Interpreter();
 
   Control::State run(ActionBatch& batch);
-  /// Returns nullopt while the control waits for a probe. `cutting_seen_ms`: time in ms that Control needs after a restore; the interpreter
-  /// only stores the value.
+  /// Returns the state of the run as a snapshot; nullopt while the control waits for the result of a probe motion. `cutting_seen_ms`: a
+  /// time in ms that the Control needs after a restore; the interpreter only stores it.
   std::optional<Snapshot> snapshot(double cutting_seen_ms) const;
   Status restore(const Snapshot& from);
   void answer(const ProbeAnswer& answer);
@@ -101,11 +101,11 @@ class Interpreter final : public Emitter {
   /// Checks the ranges of the words and executes the assignments among them.
   Status take_words();
 
-  // ---- data that the functions work on
+  // ---- data that the functions of codes and addresses work on
 
   using BlockContext::flow;  // position in the program; public, because a function may change it
 
-  Block first_block;  // stands for the current block before the first block is read, and after a restore in the middle of a block
+  Block first_block;  // block that serves as the current block before the first block is read, and after a restore in the middle of a block
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
   LineMarks* line_marks = nullptr;
@@ -198,7 +198,7 @@ class Interpreter final : public Emitter {
   // Items of the plan, such as stops and ends, that wait for the end of the canned cycle.
   std::array<std::uint8_t, limits::block_words> waiting_{};
   std::size_t waiting_count_ = 0;
-  // Tables of the last snapshot; the next snapshot shares these tables if they have not changed.
+  // Tables of the last snapshot; the next snapshot shares these tables, instead of a copy, if they have not changed.
   mutable std::shared_ptr<const Tables> last_tables_;
   mutable std::shared_ptr<const Variables::Values> last_variables_;
   std::unique_ptr<BlockStates> block_states_;  // recorded states after blocks; nullptr: states are not recorded

@@ -114,7 +114,7 @@ void Interpreter::read_setup(const Setup& setup) {
   write(variables.first(VariableKind::home), tables.reference[1]);
   write(variables.first(VariableKind::home_second), tables.reference[2]);
   for (const auto& [name, value] : setup.variables) {
-    if (macro_variables != nullptr) break;  // Dialect::take_setup() sets the variables of such a control
+    if (macro_variables != nullptr) break;  // on a control with local variables, Dialect::take_setup() sets the variables
     if (!value || name.size() < 2) continue;
     if (const int parameter = variables.parameter_named(name); parameter >= 0) variables.set_parameter(parameter, *value);
     else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest())
@@ -209,7 +209,7 @@ void Interpreter::start_modal(const Setup& setup) {
   batch = nullptr;
 }
 
-/// Returns true if the control has a code with this name.
+/// Returns true if the control's table has a code with this name, such as `G54`.
 bool Interpreter::starts(const std::string& text) const {
   if (text.size() < 2) return false;
   if (text[0] < 'A' || text[0] > 'Z') return false;

@@ -103,7 +103,7 @@ std::shared_ptr<const BlockMemory> Interpreter::block_memory() const {
 
 void Interpreter::continue_in_block(const BlockMemory& then) {
   first_block = then.block;
-  first_block.repeated = false;  // this copy of the block is not one that a loop keeps in memory
+  first_block.repeated = false;  // the block is a copy from the snapshot, not a block that is kept in memory for a loop
   first_text_ = then.text;
   first_block.text = first_text_;
   plan_ = then.plan;
@@ -140,7 +140,7 @@ Status Interpreter::restore(const Snapshot& from) {
   if (std::exchange(block_states_, nullptr)) watch_states();
   tables = *then.tables;
   variables.put(*then.variables);
-  // With a parameter file the parameters are in the machine's unit (spec/linuxcnc 1.1).
+  // With a parameter file the variables store lengths in the machine's unit, also in inch mode (spec/linuxcnc 1.1).
   variables.inch = modal.inch && !def.has_parameter_file();
   continue_in_block(*then.block);
   return then.dialect ? dialect->restore(*this, *then.dialect) : Status();

@@ -13,7 +13,7 @@ struct BlockMemory {
   Block block;
   std::string text;  // text of the block
   Plan plan;
-  std::vector<std::uint8_t> waiting;  // items of the plan that wait for the end of the canned cycle
+  std::vector<std::uint8_t> waiting;  // functions of the block's plan, such as stops and ends, that wait for the end of the canned cycle
   CannedCycleRun canned_cycle_run;
   std::size_t cycle = 0;  // row of the cycle in ControlDef::cycles
   EllipseRun ellipse_run;
@@ -33,7 +33,7 @@ struct Snapshot::Content {
   std::shared_ptr<const DialectState> dialect;  // state of the dialect; nullptr: the dialect stores no data between blocks
   std::shared_ptr<const BlockMemory> block;
   bool each_block = false;
-  double cutting_seen_ms = 0;  // time of motions at feed in ms, a value of Control
+  double cutting_seen_ms = 0;  // time in ms of the motions at feed so far, which Control stores, not the interpreter
 };
 
 }  // namespace kadr

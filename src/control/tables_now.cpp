@@ -22,7 +22,8 @@ Axes stored_zero(const BlockContext& m, std::uint32_t row) {
 }
 
 void add_work_systems(const BlockContext& m, Setup& tables) {
-  std::set<std::uint32_t> named;  // names of the work offsets that are in the result already, because G54 is also G59 P1
+  // table rows of the work offsets that are in the result already; one row may have two names: G54 is also G59 P1
+  std::set<std::uint32_t> named;
   for (const WorkSystem& system : work_systems(m.def)) {
     const bool is_stored = system.row > 0 && (!m.has_fixtures || system.row <= m.def.behaviour.fixtures);
     if (!system.works || !is_stored || !named.insert(system.row).second) continue;

@@ -353,7 +353,7 @@ Status BlockRewriter::macro_call(const Block& block, BlockMaker& out) {
 }
 
 Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMaker& out) {
-  std::size_t next = 0;  // index, among the block's assignments, of the next assignment to write
+  std::size_t next = 0;  // index, among the assignments of the block, of the next assignment that is to be written
   const auto assignments_before = [&](std::uint32_t at) -> Status {
     for (; next < block.assignments.size() && block.assignments[next].where.begin < at; ++next) {
       if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address)

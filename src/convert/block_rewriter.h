@@ -45,7 +45,7 @@ class BlockRewriter {
  private:
   struct Kinds;
   struct PlainWord {
-    Words form;    // number format of the word on the target control
+    Words form;    // number format, on the target control, of a word that is to be written
     double scale;  // factor that converts the number in the source text to mm, degrees, s, …
   };
   bool is_plain(const Block& block) const {
@@ -87,12 +87,12 @@ class BlockRewriter {
   const CodeRow* motion_ = nullptr;  // motion code in force in the source text
   bool motion_is_cycle_ = false;
   struct Stops {
-    // by_block: the target control has exact stops for a single block only; by_mode: as a mode only
+    // by_block: the target control has only exact stops for a single block; by_mode: it has only an exact stop mode
     bool by_block = false, by_mode = false;
     bool is_mode = false;  // exact stop mode is in force in the source text
-    bool goes_on = false;  // the exact stop mode was switched on for this block only, and end() switches it off
+    bool goes_on = false;  // true: the exact stop mode was switched on for this block only, so end() must switch it off
   } stops_;
-  bool is_metric_ = false;  // the target control reads mm only
+  bool is_metric_ = false;  // true: the target control reads lengths in mm only, not in inches
   bool is_inch_ = false, in_section_ = false;
   bool repeats_modes_ = false, repeats_feed_ = false;
   double feed_ = -1;  // number of the last F word in the source text; -1: none yet

@@ -13,7 +13,7 @@ namespace {
 
 struct Meaning {
   Function function = Function::count;
-  int arg = 0;  // argument of the function; the value any_argument matches every argument
+  int arg = 0;  // argument of the function in the control's table; the value any_argument matches every argument
 };
 
 /// Each row lists functions that have the same effect on controls of different families.
@@ -98,7 +98,7 @@ const CodeRow* match_of(const CodeRow& row, const ControlDef& from, const Contro
   if (const CodeRow* const same = first_that(
           to, row.code, [&](const CodeRow& one) { return one.function == row.function && one.arg == row.arg && one.cycle == 0; })) {
     if (row.function != Function::machine_function || same->code == row.code) return same;
-    return nullptr;  // there is no match by function, because M codes of the machine keep their number
+    return nullptr;  // M codes that go to the machine keep their number, so they are not matched by function
   }
   for (const auto& family : families) {
     if (std::none_of(family.begin(), family.end(),

@@ -8,8 +8,9 @@
 
 namespace kadr {
 
-constexpr int inner_corners = 62, without_slowing = 63;  // arguments of the functions of G62 and G63
-constexpr int continuous_cutting = 64;                   // CodeRow::arg of G64 of the NCT, whose function is Function::feed_control
+constexpr int inner_corners = 62, without_slowing = 63;  // values of CodeRow::arg in the rows of G62 and G63
+// value of CodeRow::arg in the row of G64 of the NCT, whose function is Function::feed_control
+constexpr int continuous_cutting = 64;
 
 class CodeMatch {
  public:

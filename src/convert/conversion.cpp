@@ -156,7 +156,8 @@ tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, Con
   one.transliterated = characters;
   one.text = text.source();
   const std::size_t passed = one.proof.passed_messages;
-  auto proof = proving.from_given(one.text, one.as, false);  // the messages are not compared, because their letters have been replaced
+  // the messages of the programs are not compared, because letters in them have been replaced
+  auto proof = proving.from_given(one.text, one.as, false);
   if (!proof) return tl::unexpected(proof.error());
   one.proof = std::move(*proof);
   one.proof.passed_messages = passed;

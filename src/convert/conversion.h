@@ -44,12 +44,15 @@ struct ConversionSpec {
   StopToken stop{};
 };
 
-/// Lines that are expanded into single motions, while the rest is rewritten word by word; and the reason for the expansion.
+/// Lines that are expanded into single motions, while the rest is rewritten word by word, and the reason for the expansion. If no reason is
+/// set, the lines are contours or frames.
 struct WrittenOut {
   TextLines lines;
-  std::optional<Alarm> cannot_express{};      // the reason, if the target control cannot express the lines
-  std::optional<CourseDifference> differs{};  // the reason, if the target control would do something else in these lines or nearby
-  bool varies = false;  // the reason: two executions of the lines differ; if no reason is set, the lines are contours or frames
+  // set if the lines are expanded because the target control cannot express them: the alarm that says so
+  std::optional<Alarm> cannot_express{};
+  // set if the lines are expanded because the target control would do something else in these lines or nearby: the difference
+  std::optional<CourseDifference> differs{};
+  bool varies = false;  // true: the lines are expanded because two executions of them differ
 };
 
 /// One of the methods that were tried, and the reason why its text was not used.
@@ -57,24 +60,29 @@ struct ConversionTry {
   ConvertedAs as = ConvertedAs::as_it_stands;
   std::optional<Alarm> cannot_express;  // alarm about what the target control cannot express
   Origin at;                            // location of the block that cannot_express is about
-  Comparison proof;                     // result of comparing both programs, if the target control can express the program
-  // The comparison `proof` is from a set-up with added table values: the text depends on values that the given set-up does not state.
+  // result of comparing the source program with the converted text, if the target control can express the program
+  Comparison proof;
+  // true: the comparison `proof` is from a set-up with added table values, so the text depends on values that the given set-up does not
+  // state
   bool differs_unstated = false;
-  bool differs_elsewhere = false;  // the comparison `proof` is from a run in which the probe touches at another point
-  // Proven if the operator sets the origin by hand at the machine, since one of the controls has no code for it
+  bool differs_elsewhere = false;  // true: the comparison `proof` is from a run in which the probe touches at another point
+  // True: the text is proven if the operator sets the origin by hand at the machine, since one of the controls has no code for it.
   bool zero_by_operator = false;
-  std::optional<std::uint16_t> counts_from{};  // for `plain`: the number of the work system that all motions of the program use
+  // for the method `plain` (all offsets applied): the number of the work system that all motions of the program use
+  std::optional<std::uint16_t> counts_from{};
   std::shared_ptr<ByteSource> text = text_source({});
   bool is_equal() const { return !cannot_express && text->size() != 0 && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
   bool is_proven() const { return is_equal() && proven_states.has_value(); }
   // Number of other states (set-ups) from which the text was proven; nullopt: the text is not proven yet
   std::optional<std::size_t> proven_states{};
-  std::size_t transliterated = 0;         // number of characters that were replaced because the target control lacks their letters
-  std::vector<WrittenOut> written_out{};  // for `words`: the expanded lines, in the order in which they were found
+  std::size_t transliterated = 0;  // number of characters that were replaced because the target control lacks their letters
+  // for the method `words` (word by word): the expanded lines, in the order in which they were found
+  std::vector<WrittenOut> written_out{};
 };
 
 struct Converted {
-  /// The set-ups with which the target control ran the texts (corresponding_setup()); plain_setup belongs to ConvertedAs::plain.
+  /// The set-ups with which the target control ran the converted texts (corresponding_setup()): plain_setup for the method
+  /// ConvertedAs::plain, setup for all other methods.
   Setup setup, plain_setup;
   /// Codes that are not compared. path_modes: codes of the program, for smoothing and the like, that expanded blocks cannot express; also
   /// exact stops if the target control has none. path_modes_unknown: codes that the target control does not have at all.

@@ -72,7 +72,7 @@ ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& si
   if (one.proof.stopped_b) {
     const AlarmReport& alarm = *one.proof.stopped_b;
     const std::string sentence = sentence_of(alarm, sides.of_target, lang);
-    // The text is the source program itself, so the alarm's origin is a line of the source program
+    // The text is the source program itself, unchanged, so the location of the alarm is a line of the source program.
     if (one.as == ConvertedAs::as_it_stands) return {sentence, alarm.origin};
     if (alarm.origin.file != 0) return {sentence, {}};
     return {sentence, {}, {}, alarm.origin.line, alarm.line_text};

@@ -18,9 +18,9 @@ const char* name_of(ConvertedAs as);
 struct ConversionRefusal {
   std::string text;
   Origin at;                       // line of the source program, or of a file that it calls; line 0: the reason concerns no line
-  std::string file{};              // name of the called file that contains `at`, if known
+  std::string file{};              // name of the called file that contains the line `at`, if known
   std::uint32_t written_line = 0;  // number of the line in the converted text; 0: the reason concerns no line there
-  std::string written_text{};      // text of the line written_line, for an alarm
+  std::string written_text{};      // text of the line number `written_line` of the converted text, if the reason is an alarm in that line
 };
 /// The two controls of a conversion. Sentences about the conversion use their codes and alarm texts.
 struct ConversionSides {

@@ -26,7 +26,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Returns the text of an O line after its keyword.
+/// Returns the rest of an O line: the text after its keyword, such as `if` or `call`.
 std::string_view after_keyword(const Block& block) {
   std::string_view rest = block.text.substr(block.statement.label_where.end, block.where.end - block.statement.label_where.end);
   rest = rest.substr(0, rest.find_first_of("(;"));

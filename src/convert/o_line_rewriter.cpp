@@ -12,7 +12,7 @@ namespace {
 
 Status no_line(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
-/// Returns the first bracket expression of a text, and stores the position after it in `end`.
+/// Returns the first expression in square brackets in a text, and stores in `end` the position after the expression.
 std::string_view first_bracket(std::string_view text, std::size_t& end) {
   const std::size_t begin = text.find('[');
   if (begin == std::string_view::npos) {

@@ -46,7 +46,7 @@ class OLineRewriter {
 
  private:
   struct Skip {
-    std::uint32_t to, label;  // to: block number that the jump leads to; label: number of the O line that replaces the jump
+    std::uint32_t to, label;  // `to`: block number N that a jump leads to; `label`: number of the O line that replaces this jump
   };
   Status line(std::string text, BlockMaker& out) const;
   std::uint32_t next_label() { return ++last_label_; }

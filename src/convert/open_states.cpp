@@ -1,5 +1,5 @@
-// Adds values for the table rows that a set-up does not state. Used by convert/conversion and convert/word_by_word; tested by
-// tests/convert_open.py.
+// OpenStates: makes further set-ups for the proof of a conversion, with values for work offsets, tool lengths, radii and reference points
+// that the given set-up does not state. Used by convert/conversion and convert/word_by_word; tested by tests/convert_open.py.
 
 #include "convert/open_states.h"
 

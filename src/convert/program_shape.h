@@ -84,7 +84,7 @@ class ProgramShape {
   std::vector<TextLines> blocks_;  // ranges of lines with blocks; adjacent ranges are joined
   std::vector<std::uint32_t> edges_, transforms_;
   std::vector<TextLines> loops_, contours_;
-  std::map<std::uint32_t, TextLines> subprograms_;       // lines of each subprogram, by label
+  std::map<std::uint32_t, TextLines> subprograms_;       // range of lines of each subprogram, by label
   std::multimap<std::uint32_t, std::uint32_t> callers_;  // label of a subprogram → line of a call
   std::set<std::uint32_t> variables_;
   std::set<std::size_t> path_modes_;

@@ -87,7 +87,8 @@ tl::expected<Proving::Other, std::string> Proving::in_all(const std::vector<Side
 
 tl::expected<Proving::Other, std::string> Proving::from_others(const std::shared_ptr<ByteSource>& text, ConvertedAs as,
                                                                std::optional<std::uint16_t> counts_from) const {
-  // The result if the programs differ with every Zero: the result with of_system if that was tried, else the first result
+  // The result to return if the programs differ with every source of the origin (enum Zero): that of Zero::of_system if it was tried, else
+  // the first one.
   std::optional<Other> first;
   for (const Zero zero : {Zero::by_tables, Zero::at_power_on, Zero::of_system}) {
     if (zero == Zero::of_system && (as != ConvertedAs::plain || !counts_from)) continue;

@@ -18,10 +18,10 @@ namespace kadr {
 
 class Proving {
  public:
-  ///   opened  an opened session of the source program that has not been run
+  ///   opened  a session that has opened the source program and has not run it yet
   Proving(const ConversionSpec& spec, const Session& opened, const ProgramShape& shape, CompareRules rules);
 
-  /// Returns the set-up of the target control with which a text of this method begins.
+  /// Returns the set-up of the target control with which it begins to run a text that this conversion method has produced.
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup_ : setup_; }
 
   ///   returns  an error sentence if a session could not be opened
@@ -29,10 +29,13 @@ class Proving {
 
   struct Other {
     Comparison proof;
-    bool differs = false;       // true if the programs differ from a state from which the source program itself reaches its end
-    bool is_elsewhere = false;  // true if the state differs from the given set-up in what a probe touches, not in a table
-    bool by_operator = false;   // equal if the operator sets the origin on both machines, because at most one control has a code for it
-    std::size_t proven = 0;     // number of states in which the source program ends in the same way as from the given set-up
+    // true if the two programs differ when they begin in some other state, although the source program reaches its end from that state
+    bool differs = false;
+    // true if the other state differs from the given set-up in the surface that a probe touches, not in a table value
+    bool is_elsewhere = false;
+    // true if the programs are compared with the origin that the operator sets, because at most one control has a code for it
+    bool by_operator = false;
+    std::size_t proven = 0;  // number of states in which the source program ends in the same way as from the given set-up
   };
   /// Compares both programs from each of the other states until they differ. A state in which the source program itself stops proves
   /// nothing, so it is not counted.
@@ -52,7 +55,7 @@ class Proving {
   using Axes = std::map<std::string, double>;
   struct Side {
     Setup source, target;
-    Axes zero{};  // origin set by the operator, mm: CompareRules::zero_of_b
+    Axes zero{};  // work origin in mm that the operator sets, by axis; the comparison receives it as CompareRules::zero_of_b
     bool is_elsewhere = false;
   };
   tl::expected<Side, std::string> side_of(const OpenState& state, const std::shared_ptr<ByteSource>& text, ConvertedAs as, Zero zero,

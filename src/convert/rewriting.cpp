@@ -167,7 +167,8 @@ class Rewriter {
 
   /// Copies the lines between the last block and this line that have no blocks: comments and empty lines.
   void lines_before(std::uint32_t line) {
-    if (line == next_raw_) {  // all lines so far have blocks; raw_ is opened only at the first line without a block
+    // all lines so far have blocks, so there is nothing to copy; the reader raw_ is opened only at the first line without a block
+    if (line == next_raw_) {
       next_raw_ = line + 1;
       passed_ = block_.position;
       return;
@@ -279,7 +280,8 @@ class Rewriter {
   Block block_;
   const FlatRange* last_place_ = nullptr;
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
-  Position passed_{0, 0, 0};           // position of a line that raw_ has not read yet; with line 0 there is no such line
+  // position of a line that the line reader raw_ has not read yet; line number 0: there is no such line
+  Position passed_{0, 0, 0};
   std::uint32_t label_ = 0;            // label of the subprogram in the section that is being written
   std::uint32_t last_in_section_ = 0;  // last block number in the section of subprograms of the target control
   std::string tail_;

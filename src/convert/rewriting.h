@@ -26,12 +26,13 @@ struct RewriteSpec {
   std::shared_ptr<ByteSource> source;  // the source program, UTF-8
   const ControlDef* from = nullptr;
   const ControlDef* to = nullptr;
-  const std::vector<FlatRange>* places = nullptr;    // expanded ranges, in order; settled() must be true for each
+  // expanded ranges, in order; each of them must have a text that is the same in all executions (FlatRange::settled)
+  const std::vector<FlatRange>* places = nullptr;
   const std::vector<TextLines>* left_out = nullptr;  // lines of subprograms that nothing calls any more, so they are left out
   std::set<std::uint32_t> used_variables{};          // numbers of the variables that the program uses
   MacroShape macros{};
   StopToken stop{};
-  // Stop soon after the last line that cannot be expressed, because a further round will rewrite the program anyway
+  // The rewriting stops soon after the last line that cannot be expressed, because a further round will rewrite the program anyway.
   bool ends_early = false;
   Lang lang = Lang::en;  // language of the comments that the rewriting adds
 };

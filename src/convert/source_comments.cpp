@@ -8,7 +8,8 @@ namespace kadr {
 
 std::vector<std::string> SourceComments::up_to(std::uint32_t line) {
   std::vector<std::string> found;
-  names_rows_ = next_ > line;  // a line that an earlier call has read is not examined again, so it is assumed to select a row
+  // an earlier call has read this line, and it is not examined again, so the line is assumed to select a row of an offset table
+  names_rows_ = next_ > line;
   Line read;
   for (; next_ <= line && !is_over_; ++next_) {
     is_over_ = !reader_.next(read);

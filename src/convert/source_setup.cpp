@@ -104,7 +104,8 @@ bool allows_key(const ControlDef& def, const char* key) {
 OffsetsInForce offsets_of(const Control& control) {
   OffsetsInForce now;
   const auto number_in = [](const std::string& word) { return std::uint32_t(std::strtoul(word.c_str() + 1, nullptr, 10)); };
-  // Does not use in_force(), which also returns the variables, of which there may be thousands.
+  // The words D and H in force are read from state_now(), not from in_force(), which also returns the variables, of which there may be
+  // thousands.
   for (const std::string& word : control.state_now().modal) {
     if (word.front() == 'D') now.radius_number = number_in(word);
     if (word.front() == 'H') now.length_number = number_in(word);

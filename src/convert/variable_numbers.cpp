@@ -52,8 +52,8 @@ VariableKind kind_of(VariableKind kind) {
   return kind == VariableKind::zero ? VariableKind::fixture : kind;
 }
 
-/// Returns the index of the variable within its kind. One family of controls has all work offsets in one row, the other family has a row
-/// for each.
+/// Returns the number of the variable among the variables of the same kind. One family of controls has all work offsets in one table row,
+/// the other family has a row for each.
 std::uint32_t place_in_kind(const VariablePlace& place) {
   constexpr std::uint32_t a_system = 1000;
   const bool row_each = place.row->kind == VariableKind::zero;
@@ -85,7 +85,7 @@ std::optional<std::string> VariableNumbers::given(const std::string& name) const
   std::uint32_t number = 0;
   const char* const end = name.data() + name.size();
   const auto read = std::from_chars(name.data() + std::min<std::size_t>(1, name.size()), end, number);
-  // If the text is not a number, it is the name of a named parameter.
+  // The text of a variable that is not a number is the name of a named parameter.
   if (!name.starts_with('#') || read.ec != std::errc() || read.ptr != end) return name;
   const auto there = of(number);
   return there && is_written(to_, *there) ? std::optional("#" + std::to_string(*there)) : std::nullopt;

@@ -16,8 +16,8 @@
 namespace kadr {
 namespace {
 
-constexpr int max_rounds = 100;  // greatest number of rounds; each round rewrites and proves the program once
-// Number of rounds at the beginning that stop soon after a line that cannot be expressed.
+constexpr int max_rounds = 100;  // greatest number of rounds; each round rewrites the whole program and proves it once
+// Number of rounds (rewritings of the whole program) at the beginning that stop soon after a line that cannot be expressed.
 constexpr int early_rounds = 3;
 constexpr std::size_t max_work = 6'000'000;  // greatest number of lines, blocks and motions processed in all rounds together
 
@@ -286,7 +286,7 @@ class WordByWord {
   std::map<std::uint32_t, int> steps_back_;        // number of blocks by which a range has grown backwards, by the range's first line
   ConversionTry made_;
   std::size_t work_ = 0;
-  std::optional<Alarm> why_;  // the reason why lines are expanded next
+  std::optional<Alarm> why_;  // the reason why the next lines are expanded: the alarm that the target control cannot express them
   bool varies_ = false;
   int deep_ = 0;
   int stage_ = 0;

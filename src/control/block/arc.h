@@ -19,7 +19,8 @@ struct PlaneArc {
 
 /// The rule by which a control reads the centre of an arc, and the inaccuracy that it accepts.
 struct ArcRule {
-  bool by_words = false;        // the centre depends only on the words of the block and on the modes
+  // true: the centre depends only on the words of the block and on the modes; the fast path (block/motion_run) requires this
+  bool by_words = false;
   bool absolute = false;        // true: I, J, K are coordinates of the centre; false: distances from the start point
   bool lead_on_normal = false;  // the I, J or K of the axis normal to the plane is the lead of a helix, mm per revolution (2С42 6.6.6)
   double difference = 0;        // greatest allowed difference between the radii at the start and at the end, mm

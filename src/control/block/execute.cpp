@@ -69,7 +69,7 @@ Status Interpreter::execute(const PlanItem& item) {
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
   dialect->before_function(*this, function);
-  // The code is stored before the call, because a jump may make another block the current one.
+  // The number of the code is copied before its function is executed, because a jump may make another block the current one.
   const std::int32_t code = w != nullptr ? w->code : -1;
   if (row != nullptr && row->reported) report_to_machine(code);
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
@@ -84,7 +84,7 @@ bool Interpreter::execute_call(std::uint8_t word) {
   if (row.function == Function::return_program) {
     const CallFrame* const top = flow.innermost();
     const bool plain = top != nullptr && (top->kind == CallFrame::Kind::macro || top->kind == CallFrame::Kind::subprogram);
-    // Execute() handles the other cases: M99 of a main program or of an interrupt macro, and M99 P.
+    // the general execution of blocks (execute()) handles the other cases: M99 of a main program or of an interrupt macro, and M99 P
     if (!plain || top->return_to >= 0) return false;
   }
   journal.begin();
@@ -197,7 +197,7 @@ void Interpreter::undo_block(std::size_t actions) {
   journal.undo();  // the journal has older values than the copies restored above, so it is undone after them
   if (state_saved_) {
     (void)variables.consume_frames_changed();
-    // With a parameter file the parameters are in the machine's unit (spec/linuxcnc 1.1).
+    // With a parameter file the variables store lengths in the machine's unit, also in inch mode (spec/linuxcnc 1.1).
     variables.inch = modal.inch && !def.has_parameter_file();
   }
   dialect->block_undone(*this);

@@ -42,7 +42,8 @@ bool keeps_modes(const Block& block) {
     case StatementKind::loop:
     case StatementKind::loop_end:
     case StatementKind::go_to:
-    case StatementKind::o_word: return true;  // the end of a subprogram that restores modes calls modes_changed() itself (restore_modes())
+    // these statements change no modes; a subprogram end that restores modes calls modes_changed() itself (restore_modes())
+    case StatementKind::o_word: return true;
     case StatementKind::assign: {
       const Expression target = block.statement.target;
       const Instruction& number = block.code[target.begin];
@@ -93,7 +94,7 @@ bool is_read_again(const Block& block) {
          block.warnings.empty();
 }
 
-/// Returns true if is_read_again() holds for the block and some of its words are expressions.
+/// Returns true if a loop executes the block again, the block has only words (is_read_again()), and some of its words are expressions.
 bool is_repeated(const Block& block) { return block.evaluates && is_read_again(block) && !block.codes_vary && block.assignments.empty(); }
 
 AxisMask plane_of(const BlockContext& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
@@ -109,7 +110,9 @@ Motion& Emitter::add_motion_as(const MotionModes& modes, AxisMask named) {
 
 void MotionRun::note(const Emitter& m) {
   if (m.modal.radius_side != 0 || m.modal.contour != CompensationPhase::off)
-    return end();  // this test is cheap and comes first, because cutter compensation mostly stays on for many blocks
+    // under cutter compensation the fast path is not used; this test is cheap and comes first, because compensation stays on for many
+    // blocks
+    return end();
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
     if (!keeps_modes(block)) end();
@@ -289,14 +292,14 @@ bool MotionRun::take(Interpreter& m) {
     return done;
   }
   if (!form.fits) return refused();
-  // Execute_block() repeats the step and reports the error.
+  // If a word has no valid value, the general way (Interpreter::execute_block) evaluates the words again and reports the error.
   if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();
   if (form.feed.word != no_word || !block.shape) m.dialect->count_words(m);
   if ((form.named & rolling_) != 0 || !holds(m, form)) return refused();
   const std::int16_t row = form.row >= 0 ? form.row : m.modal.motion_row;
   std::size_t k = 0;
   while (k < kinds && !((known_ >> k & 1u) != 0 && rows_[k] == row)) ++k;
-  // Interpreter::execute_block() executes a block with a new motion code; note() then adds this code to the run.
+  // A motion code that is new in this run is executed the general way (Interpreter::execute_block); note() then adds the code to the run.
   if (k == kinds) return on_ = false;
   const auto kind = static_cast<Kind>(k);
   if (kind < arc_cw ? form.centered : !form.centered) return refused();

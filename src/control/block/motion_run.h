@@ -34,7 +34,7 @@ class MotionRun {
   bool take(Interpreter& m);
 
  private:
-  /// Ends the run of plain motions. The result is what take() returns for a block that the run does not cover.
+  /// Ends the run of plain motions, because it does not cover the current block. Returns false, which take() then returns too.
   bool refused() {
     end();
     return false;
@@ -43,7 +43,7 @@ class MotionRun {
   /// The motion codes of a run of plain motions; the values are indices of rows_ and modes_.
   enum Kind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, kinds };
 
-  /// One word of a block: an axis, an arc centre or the feed.
+  /// One word of a motion block and its meaning: the end coordinate of an axis, a coordinate of the arc centre, or the feed.
   struct Slot {
     std::uint8_t word = no_word;  // index in Block::words
     std::uint8_t axis = 0;
@@ -54,15 +54,17 @@ class MotionRun {
   struct Form {
     BlockShape shape;
     const Block* repeated = nullptr;
-    std::uint64_t letters = 0;  // letters of the words of `repeated`, without the words whose value is vacant
-    bool fits = false;          // the blocks are plain motions, which the fast path executes
-    bool calls = false;         // the blocks only call a subprogram, or only return from a subprogram
-    // Index of the calling word if the block can be executed without a plan (see quick_call); no_word for other blocks.
+    std::uint64_t letters = 0;  // letters of those words of the block `repeated` that have a value (not vacant)
+    bool fits = false;          // true: blocks of this shape are plain motions, which the fast path executes
+    bool calls = false;         // true: blocks of this shape only call a subprogram, or only return from a subprogram
+    // Index of the word that calls, if a block of this shape can be executed without a plan (see quick_call); no_word for other
+    // blocks.
     std::uint8_t call = no_word;
-    // Row of the block's motion code in ControlDef::codes; -1: the block has no motion code, and the modal one applies.
+    // Row, in ControlDef::codes, of the motion code of the block; -1: the block has no motion code, and the motion code in force applies.
     std::int16_t row = -1;
-    std::uint8_t axes = 0, codes = 0;  // numbers of elements in use: `axes` in `slots`, `codes` in `steady`
-    // Rows of the block's codes other than the motion code; a code that is in force already has no effect.
+    std::uint8_t axes = 0, codes = 0;  // `axes`: number of elements in use in `slots`; `codes`: number of elements in use in `steady`
+    // Rows, in the control's table, of those codes of the block that are not motion codes. The fast path covers the block only while these
+    // codes are in force already, so that they have no effect.
     std::array<std::int16_t, most_codes> steady{};
     AxisMask named = 0;
     bool centered = false;
@@ -87,11 +89,14 @@ class MotionRun {
   bool find_arc(const BlockContext& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const;
 
   bool on_ = false;
-  std::uint8_t known_ = 0;     // motion codes that have occurred in this run, one bit per Kind
-  std::uint8_t old_feed_ = 0;  // motion codes whose entry in modes_ has an outdated feed, one bit per Kind
-  double feed_ = 0;            // value of Modal::feed after the last block
+  // motion codes that have occurred in this run of plain motions; bit i stands for the code with the value i of Kind
+  std::uint8_t known_ = 0;
+  // motion codes whose stored modes still have an earlier feed; bit i stands for the code with the value i of Kind
+  std::uint8_t old_feed_ = 0;
+  double feed_ = 0;  // feed in force after the last block (Modal::feed), to detect a change by other blocks
   bool absolute_ = true;
-  AxisMask rolling_ = 0;  // the axes of Dialect::rolling_axes(); a block that has a word of one of them is executed the general way
+  // the axes that roll over, from Dialect::rolling_axes(); a block that has a word of one of them is executed the general way
+  AxisMask rolling_ = 0;
   std::uint32_t number_least_ = 0, number_most_ = 0;  // least and greatest allowed block number N
   ArcRule arcs_;
   std::array<std::int16_t, kinds> rows_{};

@@ -170,7 +170,7 @@ class BlockPlanner {
       plan_.taken |= row.takes;
       return {};
     }
-    if ((loose & row.takes) == 0) return {};  // words_used() reports the loose word as unused
+    if ((loose & row.takes) == 0) return {};  // the motion code in force does not use the word, so words_used() reports the word as unused
     plan_.taken |= row.takes;
     add(row.phase, no_word, motion_row, 0);
     return {};
@@ -209,7 +209,7 @@ class BlockPlanner {
       plan_.passed_over = loose;
     } else if (loose != 0) {
       const Word& word = *first_of(loose);
-      // nct 5.1: example: W on a machine without an axis Z.
+      // The letter of an axis that the machine lacks, such as W without an axis Z, is an illegal address (nct 5.1).
       const bool no_axis = def_.address(word.address).function == Function::argument_only;
       return fail(alarm(no_axis ? AlarmId::illegal_address : AlarmId::word_unused, word.where, word.address));
     }

@@ -28,9 +28,9 @@ struct Plan {
   std::uint64_t taken = 0;        // letters of words that some function of the block uses
   std::uint64_t passed_over = 0;  // letters of words that no function uses; set only on a control that ignores unused words
   bool axes_taken = false;        // a code that is not a modal motion code (G28, G92, …) uses the axis words
-  bool moves_only = false;        // the block has axis words only: no code, no F, S, T …, no assignment
-  bool moves_and_feeds = false;   // the block calls only G0 to G3 and F
-  bool calls_only = false;        // the block only calls subprograms, or only returns
+  bool moves_only = false;        // true: the block has axis words only: no code, no F, S, T …, no assignment
+  bool moves_and_feeds = false;   // true: the block calls only the functions of G0 to G3 and F
+  bool calls_only = false;        // true: the block only calls subprograms, or only returns from a subprogram
 };
 
 /// Sets of letters by their meaning, one bit per letter. The sets are computed once from the control's table.

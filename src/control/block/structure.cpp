@@ -26,7 +26,7 @@ Status Interpreter::structure() {
       }
       if (flow.started() && !skipping_section && flow.depth() == 0 && def.behaviour.ends_reading) {
         warn(warning(AlarmId::end_missing, block->where));
-        flow.end();  // the blocks after this one are the next program of the tape
+        flow.end();  // the tape may hold several programs: the blocks after this one are the next program
       }
       flow.set_started(true);
       skipping_section = false;

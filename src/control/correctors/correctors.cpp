@@ -142,8 +142,8 @@ Result<AxisMask> Correctors::add_to_motion(Emitter& m) {
       double& added = m.transform.added[a];
       moved |= 1u << a;
       if (m.has_code({Function::corrector_cancel})) {
-        // Subtracts from the axis the value that this corrector added last. If the corrector has added no value yet, its stored value is
-        // subtracted (spec/correctors 1).
+        // The code that cancels correctors (offsets) subtracts, from the shift of the axis, the value that this corrector added last. If
+        // the corrector has added no value yet, its stored value is subtracted (spec/correctors 1).
         const double back = last != 0 ? last : stored;
         added = m.modal.absolute ? 0.0 : added - back;
         last = 0;

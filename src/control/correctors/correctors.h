@@ -25,7 +25,8 @@ struct PocketCut {
 struct Memory {
   PocketCycle pocket;
   std::vector<PocketCut> pockets_cut;
-  std::vector<bool> is_set;     // by corrector: the set-up gives its value, or the missing value was reported (spec/correctors 1)
+  // by corrector: true if the set-up gives its value, or if the warning that the value is missing was reported (spec/correctors 1)
+  std::vector<bool> is_set;
   std::vector<double> applied;  // value that each corrector added last to each axis, mm (spec/correctors 1)
 };
 

@@ -34,7 +34,8 @@ Result<PocketRounds> PocketRounds::of(const PocketCycle& pocket, double radius, 
 
 PocketRound PocketRounds::at(double index) const {
   if (index + 1 >= count_) return wall_;
-  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;  // distance from the last round, which runs along the wall
+  // distance in mm between this round and the last round, which runs along the wall
+  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;
   return {wall_.x - inside, wall_.y - inside, std::max(wall_.corner - inside, 0.0)};
 }
 

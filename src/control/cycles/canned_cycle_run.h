@@ -62,7 +62,7 @@ class CannedCycleRun {
   std::uint32_t hole_ = 0;
   std::size_t step_ = 0;
   std::uint32_t part_ = 0;  // number of the motion within a peck
-  double depth_ = 0;        // coordinate to which the pecks have drilled, mm
+  double depth_ = 0;        // coordinate on the drilling axis to which the pecks so far have drilled, mm
   bool in_hole_ = false;
   bool taps_ = false;
   HoleWork work_ = HoleWork::none;

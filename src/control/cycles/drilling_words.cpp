@@ -33,7 +33,8 @@ class Drilling {
     const auto row = static_cast<std::int16_t>(call_.row - m_.def.codes.data());
     m_.modal.motion = MotionMode::cycle;
     m_.modal.motion_row = row;
-    if (memory_.row != row) {  // Another cycle or motion was between, so only R remains valid (Mach3 10.7.24)
+    // another cycle or motion was executed since the last block of this cycle, so only the stored R remains valid (Mach3 10.7.24)
+    if (memory_.row != row) {
       CycleMemory memory;
       memory.level = memory_.level;
       memory.known = memory_.known & letter_bit('R');
@@ -107,7 +108,7 @@ class Drilling {
   /// stored for the next drilled hole.
   void take_left_out() {
     taken_ = cycle_.left_out & cycle_.needs & ~memory_.known;
-    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // resume_from() reports the missing word Z
+    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // the word Z is missing; resume_from() reports this fault later
     if ((taken_ & letter_bit('R')) != 0) {
       memory_.level = m_.modal.absolute ? m_.position.programmed[axes_.drill] : 0;
       warn_of('R', memory_.level);
@@ -183,7 +184,7 @@ class Drilling {
   const CycleRow& cycle_;
   CycleAxes axes_;
   CycleMemory& memory_;
-  std::uint64_t taken_ = 0;  // letters of the words that take_left_out() has replaced
+  std::uint64_t taken_ = 0;  // letters of the missing words whose values take_left_out() has set
 };
 
 }  // namespace

@@ -22,9 +22,9 @@ enum class BlockMoment : std::uint8_t { start, end };
 
 /// The state that a block may change. Only this state is saved before the block, so that an alarm can restore it.
 enum class BlockChanges : std::uint8_t {
-  position,  // only the position changes: a motion either fails before it starts, or is executed
-  little,    // position, motion code and feed change
-  cycle,     // position, motion code, feed, and the stored words of a drilling cycle change
+  position,  // the block changes only the position: its motion either fails before it starts, or is executed
+  little,    // the block changes the position, the motion code and the feed
+  cycle,     // the block changes the position, the motion code, the feed, and the stored words of a drilling cycle
   anything,
 };
 
@@ -39,7 +39,7 @@ class BlockDialect {
   /// Returns true if the block's expressions read a clock. The block must then be executed only when the machine reaches it, so that the
   /// clock has the right time.
   virtual bool reads_clock(const Block& block) const;
-  /// Called for each block with a skip mark `/`, whether the block is skipped or not.
+  /// A function of the dialect for a block with a skip mark `/`; the interpreter calls it whether the block is skipped or not.
   virtual void note_skip_mark(Emitter& m);
   /// Returns true if a skipped block is not even read, so that a fault in it is not reported.
   virtual bool skips_unread() const { return false; }
@@ -54,14 +54,14 @@ class BlockDialect {
   /// after THEN if the condition of an IF … THEN is true.
   virtual Result<bool> statement(Interpreter& m);
   virtual void begin_block(Emitter& m);
-  /// Called when the words of the block have their values. Returns true if nothing else of the block is to be executed, because its words
-  /// were data or the arguments of a macro.
+  /// Receives the block when its words have their values. Returns true if the interpreter must execute nothing else of the block, because
+  /// the words were data or the arguments of a macro.
   virtual Result<bool> takes_block(Interpreter& m);
   /// Returns the row of the motion code for a block that has only axis words; -1 if no motion code is in force.
   virtual std::int16_t motion_row(const BlockContext& m) const;
   virtual BlockChanges changes_of(const BlockContext& m, const Plan& plan) const;
-  /// Called before each function of the block is executed. after_code() is called after each code; its `code` is the number of the word in
-  /// tenths, -1 if there is no word.
+  /// The interpreter calls before_function() before it executes each function of the block, and after_code() after each code. `code` is the
+  /// number of the code's word in tenths; -1 if there is no word.
   virtual void before_function(Emitter& m, Function function);
   virtual void after_code(Interpreter& m, const CodeRow& row, std::int32_t code);
   /// Executes an M code that the control passes to the machine.
@@ -69,13 +69,13 @@ class BlockDialect {
   virtual Status after_block(Interpreter& m);
   /// Saves the dialect's own data before a block that may change anything.
   virtual void keep(BlockContext& m);
-  /// Restores the dialect's own data after a faulty block. The call of block_undone() follows when the interpreter's data are restored too.
+  /// Restores the dialect's own data after a faulty block. The interpreter calls block_undone() later, when its own data are restored too.
   virtual void undo_block(BlockContext& m);
   virtual void block_undone(Emitter& m);
-  /// Executes comments that have an effect, before the block's words.
+  /// Executes those comments of the block that have an effect, such as (MSG, …), before the words of the block.
   virtual Status comments(Emitter& m);
-  /// Called if a subprogram of the program has the number of a canned cycle. A call of this number executes the cycle, not the subprogram.
-  /// `where`: location of the call, or of the first block of the subprogram.
+  /// A function of the dialect for a program in which a subprogram has the number of a canned cycle: a call of this number executes the
+  /// cycle, not the subprogram. `where`: location of the call, or of the first block of the subprogram.
   virtual void note_shadowed(Emitter& m, std::uint32_t number, Span where);
 };
 

@@ -39,17 +39,17 @@ class MotionDialect {
   virtual AxisMask rolling_axes(const BlockContext&) const { return 0; }
   /// Returns the rule by which arcs are computed in blocks for which lines_follow() holds.
   virtual ArcRule arc_rule(const BlockContext& m) const;
-  /// Called before the numbers of a block for which lines_follow() holds are used. The function scales the numbers as read to the unit in
-  /// which the control counts: F without a decimal point, values of expressions.
+  /// Scales the numbers of a block, as read, to the unit in which the control counts: F without a decimal point, values of expressions. The
+  /// interpreter calls this function before it uses the numbers of a block for which lines_follow() holds.
   virtual void count_words(BlockContext&) const {}
-  /// Called after the execution of a block for which lines_follow() holds.
+  /// Updates the dialect's own data after the execution of a block for which lines_follow() holds.
   virtual void note_line(BlockContext&) {}
   /// Checks that the program may move the axes `named`.
   virtual Status may_move(const BlockContext& m, AxisMask named) const;
   virtual void note_motion(Emitter& m, Motion& motion);
-  /// Returns the feed of a motion that is programmed in inches, in mm/min or degrees/min.
+  /// Returns, in mm/min or degrees/min, the feed of a motion that is programmed in inches.
   virtual double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const;
-  /// Called when a feed that the block gives comes into force.
+  /// Updates the dialect's own data when a feed that the block gives comes into force.
   virtual void note_feed(BlockContext& m);
   /// Returns true if the control stores the feed per minute and the feed per revolution separately. If not, a change of the feed's unit
   /// discards the feed.

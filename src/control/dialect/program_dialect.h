@@ -40,28 +40,28 @@ class ProgramDialect {
   virtual MachineInterface* machine_interface() { return nullptr; }
   /// Returns the files that the program has written: for each path, the size in bytes.
   virtual const WrittenFiles& files_written() const;
-  /// Called at power-on. Returns true if the dialect has set the initial modes itself, in place of the power-on codes in the control's
-  /// file.
+  /// Starts the dialect at power-on. Returns true if the dialect has set the initial modes itself, in place of the power-on codes in the
+  /// control's file.
   virtual bool start(Interpreter& m, const Setup& setup);
   /// Returns true if the modal codes of a set-up are executed one by one, each as its own block. If false, all codes together form one
   /// block.
   virtual bool starts_code_by_code() const { return false; }
-  /// Called after the modal codes of the set-up have been executed: reads the rest of the set-up.
+  /// Reads the rest of the set-up, after the interpreter has executed the modal codes of the set-up.
   virtual void take_setup(Emitter& m, const Setup& setup);
   /// Returns code words to be executed after the power-on codes and before the modal codes of the set-up.
   virtual std::string start_words() const { return {}; }
-  /// Called at the end of the start-up, when the tool is at the start position of the set-up.
+  /// Ends the start-up of the dialect. At this moment the tool is at the start position of the set-up.
   virtual void started(Emitter& m);
   /// Returns the limits of an axis from a file of the machine, in machine coordinates (mm, degrees); ±1e300 if the file gives none. Limits
   /// in the set-up and in a machine description have priority.
   virtual std::pair<double, double> limits_by_file(std::size_t axis) const;
-  /// Called at M2, M30. Returns true if the dialect has ended the program itself, so that the end codes in the control's file are not
-  /// executed.
+  /// Ends the program at M2 or M30. Returns true if the dialect has ended the program itself, so that the end codes in the control's file
+  /// are not executed.
   virtual bool end_program(Interpreter& m);
-  /// Called when an alarm has stopped the run and the state before the faulty block is restored.
+  /// A function of the dialect for an alarm that has stopped the run; the interpreter calls it after the state before the faulty block is
+  /// restored.
   virtual void failed(Emitter&) {}
-  /// Called when the power goes off and on; clears the data that are lost without power. Returns false if the control does not model this
-  /// loss.
+  /// Clears the data that are lost without power, because the power goes off and on. Returns false if the control does not model this loss.
   virtual bool lose_power(Interpreter& m);
   /// Adds the tables of the dialect to a set-up (control/tables_now). Returns false if the caller must add the interpreter's own tables.
   virtual bool add_tables(const BlockContext&, Setup&) const { return false; }
@@ -70,7 +70,8 @@ class ProgramDialect {
   /// Returns the version of the data that the channels of a machine share, other than the common variables (Commons). The version rises
   /// with each change.
   virtual std::uint64_t common_version() const { return 0; }
-  /// Copies the shared data from another channel, whose dialect is of the same type. Called only between two blocks.
+  /// Copies the data that channels share from another channel, whose dialect is of the same type. The interpreter calls this function only
+  /// between two blocks.
   virtual void take_common(BlockContext&, const Dialect&) {}
   /// Handles a line that consists of `%` (Grammar::percent_encloses). Returns true if the interpreter has nothing more to do for the line.
   virtual Result<bool> sign_of_file(Interpreter& m);
@@ -78,7 +79,7 @@ class ProgramDialect {
   /// end.
   virtual Result<bool> end_of_file(BlockContext& m);
   virtual void note_fault(Interpreter& m, bool may_have_steered);
-  /// Called when the main program starts again; discards the data that were recorded during its last pass.
+  /// Discards the data that were recorded during the last pass of the main program, because the main program starts again.
   virtual void begin_again() {}
   /// Leaves the innermost call if the end of its subprogram is missing. Returns true if the dialect has left the call, false if the
   /// interpreter must do so.

@@ -73,7 +73,8 @@ Status FileWriter::write(std::string_view bytes) {
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) {
         const bool block_undone = before >= 0 && ::ftruncate(file_, before) == 0 && ::lseek(file_, before, SEEK_SET) == before;
-        static_cast<void>(block_undone);  // the alarm is the same whether the file can be truncated to its old size or not
+        // a failed write gives the same alarm whether the bytes already written can be removed from the file or not
+        static_cast<void>(block_undone);
         return bad();
       }
       rest.remove_prefix(static_cast<std::size_t>(count));

@@ -75,7 +75,7 @@ class FileWriter {
   /// The state of the writer in a snapshot.
   struct Memory {
     bool open = false;
-    std::string path;            // path of the open file, relative to the root
+    std::string path;            // path of the open file, relative to the root folder of the program memory
     std::uint64_t size = 0;      // size of the open file, bytes
     std::uint64_t written = 0;   // bytes written in the whole run
     std::set<std::string> made;  // dry run: paths of the files that the program would have created
@@ -90,7 +90,7 @@ class FileWriter {
   /// Returns all files written in the run. The key is the path from the root, the value is the number of bytes.
   const std::map<std::string, std::uint64_t>& files() const { return files_; }
   const std::string& root() const { return options_.root; }
-  const std::string& path() const { return path_; }  // path of the open file, from the root
+  const std::string& path() const { return path_; }  // path of the open file, relative to the root folder of the program memory
 
  private:
   OutputOptions options_;

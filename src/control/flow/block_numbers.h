@@ -48,7 +48,7 @@ class BlockNumbers {
   static std::uint64_t place_of(Position p) { return p.offset << 16 | std::uint64_t{p.nth} << 1; }
   bool counts_from(const Row& row, std::uint64_t from) const;
 
-  std::vector<Row> rows_;                // table rows, sorted by number, then by position
+  std::vector<Row> rows_;                // one table row for each numbered block, sorted by block number, then by position
   std::vector<std::uint64_t> openings_;  // positions of the blocks with G10 L52 or L75 to L77, in the order of the file
 };
 

@@ -30,14 +30,14 @@ class CallTree {
 
  private:
   struct Chain {
-    std::uint16_t outer = 0;  // number of the caller's chain
+    std::uint16_t outer = 0;  // number of the chain of calls that led to the caller
     Call call;
   };
   /// The data that identify a chain: the number of the caller's chain; the line and the file of the call; the kind, the name and the file
   /// of the called subprogram.
   using Key = std::tuple<std::uint16_t, std::uint32_t, std::uint16_t, std::uint8_t, std::uint32_t, std::uint16_t>;
 
-  std::vector<Chain> chains_;  // element [0] is the chain with the number 1
+  std::vector<Chain> chains_;  // chains of calls by number; element [0] is the chain with the number 1
   std::map<Key, std::uint16_t> known_;
   // The result of the last chain_of(), which is returned again while the innermost call is the same. The call is identified by the number
   // of its block.

@@ -20,12 +20,13 @@ namespace kadr {
 struct CallFrame {
   enum class Kind : std::uint8_t { subprogram, cycle_body, repetition, macro, interrupt };
   Kind kind = Kind::subprogram;
-  Position start;            // position of the first block that is called or repeated
-  Position back;             // position of the block at which the caller continues
-  std::uint16_t reader = 0;  // number of the file that contains `start`: 0 the program, 1 the cycle bodies, 2 and more other files
+  Position start;  // position of the first block that is called or repeated
+  Position back;   // position of the block at which the caller continues
+  // number of the file that contains the block at `start`: 0 the program, 1 the bodies of canned cycles, 2 and more other files
+  std::uint16_t reader = 0;
   std::uint16_t back_reader = 0;
   std::uint32_t name = 0;  // subprogram number
-  std::uint32_t left = 0;  // remaining passes, including the present one
+  std::uint32_t left = 0;  // number of passes that remain to be executed, including the present one
   std::uint32_t done = 0;  // number of passes started
   bool repeating = false;  // true from the second pass of the repetition on
   Origin caller;
@@ -34,9 +35,10 @@ struct CallFrame {
   std::int16_t work_offset_row = -1;
   std::array<std::int16_t, 3> then{-1, -1, -1};  // code rows of the calling block that are executed on return: M17, M20, M2; -1: none
   // nct
-  std::uint8_t modal_calls = 0;   // number of modal macro calls that are in force in the caller (nct 23.3.2)
-  bool opened_level = false;      // the call is an interrupt macro that has its own local variables
-  std::int32_t return_to = -1;    // M99 P: number of the caller's block at which the caller continues; -1: the caller continues at `back`
+  std::uint8_t modal_calls = 0;  // number of modal macro calls that are in force in the caller (nct 23.3.2)
+  bool opened_level = false;     // the call is an interrupt macro that has its own local variables
+  // M99 P: number of the caller's block at which the caller continues; -1: M99 has no P, and the caller continues after the call
+  std::int32_t return_to = -1;
   char called_by = 0;             // address of the word that called; inside the call this address calls no macro (nct 23.3.4–23.3.8)
   std::int32_t called_code = -1;  // code number of the word that called, in tenths
 };
@@ -80,7 +82,7 @@ class Flow {
     std::size_t depth = 0;
     std::string line;
   };
-  /// The part of the state that is valid from one block to the next.
+  /// The data of Flow that remain valid from one block to the next.
   struct Counts {
     std::uint16_t reader = 0;
     std::vector<CallFrame> frames;
@@ -172,7 +174,8 @@ class Flow {
   }
 
   bool ended() const { return now_.ended; }
-  /// Closes the innermost call or repetition, whose end was not found. If a repetition is closed, the program continues at `again`.
+  /// Closes the innermost call or repetition, whose end was not found. If a repetition is closed, the program continues at the position
+  /// `again`.
   void abandon(std::optional<Position> again);
   std::string shown(std::string_view text, Span& place) const {
     return visiting_ ? elsewhere_->shown(text, place) : now_.reader != 1 ? files_[now_.reader]->shown(text, place) : std::string(text);
@@ -228,7 +231,8 @@ class Flow {
 
   const ControlDef& def_;
   RunLimits limits_;
-  std::vector<std::unique_ptr<ProgramFile>> files_;  // files by number; element [1] is reserved for the cycle bodies
+  // readers of the files by file number; element [1] is reserved for the bodies of canned cycles
+  std::vector<std::unique_ptr<ProgramFile>> files_;
   std::map<std::string, std::uint16_t> opened_, built_in_;
   std::unique_ptr<BlockReader> elsewhere_;  // a second reader of the program's file; the first one still has the text of the current block
   Grammar body_grammar_;
@@ -238,7 +242,7 @@ class Flow {
   Counts now_;
   std::map<std::uint32_t, Label> labels_;
   bool indexed_ = false;
-  bool visiting_ = false;  // each_uncalled() is being executed, and `elsewhere_` is the reader
+  bool visiting_ = false;  // true while each_uncalled() reads the subprograms that were never called, with the reader `elsewhere_`
 };
 
 }  // namespace kadr

@@ -21,9 +21,9 @@ struct KeptBlock {
   Block block;
   std::string text;
   Position next;
-  KeptBlock* following = nullptr;  // kept block at the position `next`
-  KeptBlock* jumped = nullptr;     // kept block that was the target of the last jump from this block
-  std::uint64_t jumped_to = 0;     // key_of() of the position of `jumped`
+  KeptBlock* following = nullptr;  // block kept in memory that follows this one, at the position `next`
+  KeptBlock* jumped = nullptr;     // block kept in memory to which this block jumped last
+  std::uint64_t jumped_to = 0;     // position of the block `jumped`, packed into one number by key_of()
 };
 
 /// A loop DO … END of a file. DO and END belong together by their order in the text, not by the order of execution.
@@ -113,7 +113,8 @@ class ProgramFile {
   std::optional<Position> search(std::uint32_t number, Position from, const Extent& in);
   std::optional<Position> scan(std::uint32_t number, Position from, Position to);
   void find_loops();
-  // A line has at most 64 K blocks, so 16 bits are enough for `nth`.
+  // Packs the position of a block into one number. A line has at most 64 K blocks, so 16 bits are enough for the block's number in its
+  // line.
   static std::uint64_t key_of(Position at) { return at.offset << 16 | at.nth; }
   static std::pair<std::uint64_t, std::uint32_t> place_of(Position at) { return {at.offset, at.nth}; }
   Block* keep(Position at);
@@ -123,13 +124,16 @@ class ProgramFile {
   std::shared_ptr<ByteSource> source_;
   const Grammar& grammar_;
   BlockReader reader_;
-  std::unique_ptr<BlockReader> scanner_;  // a second reader of the file; the first one still has the text of the current block
+  // a second reader of the file, for searches; the first reader still has the text of the current block
+  std::unique_ptr<BlockReader> scanner_;
   Block in_hand_;
-  Position elsewhere_;         // position of the next block if `moved_`
-  bool moved_ = false;         // the next block is at `elsewhere_`, not at the position of the reader
-  Memory memory_;              // its member `reader` is unused, because reader_ has its own state
-  KeptBlock* last_ = nullptr;  // the kept block that was returned last
-  std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;  // kept blocks, by key_of() of the block's position
+  Position elsewhere_;  // position of the next block while `moved_` is true
+  bool moved_ = false;  // true: the next block is at `elsewhere_`; false: the next block is at the position of the reader
+  // the part of the state that snapshots copy; its member `reader` is unused, because reader_ stores that state itself
+  Memory memory_;
+  KeptBlock* last_ = nullptr;  // the block kept in memory that was returned last to the caller
+  // blocks kept in memory for loops; the key is the position of the block, packed by key_of()
+  std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;
   // Results of searches: {key of the block where the search started; number} → position of the block found.
   std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;
   std::vector<Loop> loops_;

@@ -114,7 +114,7 @@ class Circular {
     const double whole = std::round(turns);
     if (!(lead > 0) || whole < 1 || std::fabs(turns - whole) > tol::whole_turns)
       return fail(alarm(AlarmId::turns_not_whole, m_.where(letter), rise, lead));
-    arc.turns += whole - 1;  // INFERRED: the helix is the arc, followed by whole circles
+    arc.turns += whole - 1;  // INFERRED: a helix of several revolutions is the programmed arc, followed by whole circles
     return {};
   }
 

@@ -124,7 +124,8 @@ void Interpreter::assume_meant_position() {
   if (modal.absolute) unknown_position &= ~by_words;
 }
 
-/// Called after an executed block. The axes to which the block gives an absolute coordinate are removed from unknown_position.
+/// Removes from unknown_position the axes to which the executed block has given an absolute coordinate, because the positions of these axes
+/// are known again.
 void Interpreter::note_placed() {
   if (is_stopped() || !modal.absolute || block->statement.kind != StatementKind::none) return;
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -141,7 +142,7 @@ void Interpreter::keep_from_faulty_block() {
   const bool of_flow = id == AlarmId::return_without_call || id == AlarmId::repeat_end_alone || id == AlarmId::repeat_end_missing ||
                        id == AlarmId::subprogram_end_missing || id == AlarmId::endless_program;
   const Word* const f = block->find('F');
-  // In inverse time each block needs its own F.
+  // In inverse time mode (G93) each block needs its own F, so no feed is assumed in place of a missing F.
   const bool is_missed = id == AlarmId::feed_missing && modal.feed_mode != FeedMode::inverse_time;
   if ((f != nullptr || is_missed) && !(modal.feed_known && modal.feed > 0)) {
     modal.feed_known = true;

@@ -78,7 +78,7 @@ void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   modal.contour = CompensationPhase::following;
   modal.compensation_axes = modal.axes;
   const Vec2 delta = in_plane(m, motion.to) - in_plane(m, from);
-  // Note_arc_end() sets the vector for arcs.
+  // for an arc, note_arc_end() sets this vector when the centre of the arc is known
   if (!is_arc(motion.kind) && !(delta == Vec2{})) modal.compensation_vector = vector_at_end(motion, delta);
 }
 
@@ -201,7 +201,8 @@ void note_compensation(Emitter& m, Motion& motion, const Axes& from) {
     modal.contour = CompensationPhase::following;
   }
   const Vec2 delta = in_plane(m, motion.to) - in_plane(m, from);
-  if (!is_arc(motion.kind)) modal.compensation_vector = vector_at_end(motion, delta);  // note_arc_end() sets the vector for arcs
+  // for an arc, note_arc_end() sets this vector when the centre of the arc is known
+  if (!is_arc(motion.kind)) modal.compensation_vector = vector_at_end(motion, delta);
 }
 
 }  // namespace kadr

@@ -52,8 +52,8 @@ Status check_arc_at_compensation_ends(const BlockContext& m, Span where, std::st
 ///   from  start of the motion, work coordinates
 void note_compensation(Emitter& m, Motion& motion, const Axes& from);
 
-/// Returns the feed of a motion in inch mode, in mm/min or degrees/min. If only rotary axes move, F is in degrees per minute and is not
-/// converted (NIST 2.1.2.5; LinuxCNC, Mach3). `from`: start of the motion.
+/// Returns, in mm/min or degrees/min, the feed of a motion that is programmed in inches. If only rotary axes move, F is in degrees per
+/// minute and is not converted (NIST 2.1.2.5; LinuxCNC, Mach3). `from`: start of the motion.
 double feed_in_inches(const BlockContext& m, const Motion& motion, const Axes& from);
 
 }  // namespace kadr

@@ -25,7 +25,7 @@ Status end_program(Interpreter& m, Span where) {
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, where});
     if (row.letter == 'M' && !emitted)
-      m.batch->cut(silent);  // M2 is one action: the actions of its own for spindle and coolant are removed
+      m.batch->cut(silent);  // M2 is emitted as one action, so the separate actions that switch off spindle and coolant are removed
     if (row.group != 0 && row.modal) m.modal.rows[row.group] = static_cast<std::int16_t>(row_index);
   }
   return {};

@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// Adapts a C++ function with an Emitter parameter to the table, whose functions have an Interpreter parameter.
+/// Wraps a C++ function that needs only an Emitter, so that it fits the table of functions, which are called with an Interpreter.
 template <Status (*function)(Emitter&, const Call&)>
 Status entry(Interpreter& m, const Call& call) {
   return function(m, call);
@@ -37,7 +37,7 @@ Status set_plane(Emitter& m, Plane plane) {
 
 Status set_feed_mode(BlockContext& m, FeedMode mode) {
   Modal& modal = m.modal;
-  // The dialect stores a feed for each unit (nct 6.2.1), so the two feeds are exchanged.
+  // The dialect stores a separate feed per minute and per revolution (nct 6.2.1), so the feed in force is exchanged with the stored one.
   if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {
     std::swap(modal.feed, modal.other_feed);
     std::swap(modal.feed_known, modal.other_feed_known);
@@ -63,7 +63,7 @@ Handler handler_of(Function function) { return handlers[static_cast<std::size_t>
 
 namespace functions {
 
-// The functions of addresses whose words have no effect of their own: other functions read these words.
+// The functions of those addresses whose words have no effect of their own, because other functions read these words.
 Status block_number(Emitter&, const Call&) { return {}; }
 Status axis(Emitter&, const Call&) { return {}; }
 Status center(Emitter&, const Call&) { return {}; }

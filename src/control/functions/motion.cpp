@@ -51,7 +51,7 @@ Motion& Emitter::next_motion() {
 }
 
 std::uint16_t BlockContext::length_row() const {
-  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 sets length_number to 0, and length_sign is not used
+  const bool ends_with_its_number = def.grammar.o_words;  // on LinuxCNC, G49 sets length_number to 0, and length_sign is not used
   if (modal.length_sign == 0 && !ends_with_its_number) return 0;
   return static_cast<std::uint16_t>(modal.length_number != 0 ? modal.length_number : modal.offset_number);
 }
@@ -85,7 +85,8 @@ void Emitter::move_to(const Axes& programmed, const Axes& work, AxisMask named) 
     const AxisMask moved = frames.moved_with(named);
     for (std::size_t a = 0; a < axis_count; ++a)
       if ((moved >> a & 1u) != 0) position.machine[a] = machine[a];
-    // nct N3212 FOS: the axes keep their positions, so the work coordinates are computed from the axes.
+    // With bit FOS of parameter N3212 (nct), X, Y and Z do not move while rotary axes move alone, so the work coordinates are computed from
+    // the positions of the axes.
     if (frames.space && frames.space->changes_work(named)) {
       position.work = frames.work_of(position.machine);
       position.programmed = transform.to_programmed(position.work);
@@ -298,8 +299,8 @@ void Emitter::change_frames() {
 void Emitter::apply_mirror() {
   for (std::size_t a = 0; a < axis_count; ++a) {
     bool on = mirror_switches[a];
-    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: in G18 the coordinate Y is not mirrored
-    if (a == 0 && modal.plane == Plane::yz) on = false;  // in G19 the coordinate X is not mirrored
+    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: in G18 the panel's mirror switch for Y has no effect
+    if (a == 0 && modal.plane == Plane::yz) on = false;  // 2С42 6.8: in G19 the panel's mirror switch for X has no effect
     transform.mirror[a] = on ? std::int8_t{-1} : std::int8_t{1};
   }
   transform.refresh();

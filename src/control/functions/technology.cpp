@@ -55,7 +55,7 @@ Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double 
   const bool arc =
       m.has_code({Function::arc_cw, Function::arc_ccw}) ||
       (!m.has_code({Function::rapid, Function::linear}) && (m.modal.motion == MotionMode::arc_cw || m.modal.motion == MotionMode::arc_ccw));
-  // INFERRED: an axis has no feed of its own on an arc.
+  // INFERRED: on an arc, F after the word of one axis is not allowed, because a single axis has no feed of its own on an arc.
   if (arc) return fail(alarm(AlarmId::not_together, call.where, m.block->text_of(call.where), "G2, G3"));
   if (!(feed > 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'F', feed));
   m.modal.axis_feed[axis] = feed;
@@ -215,7 +215,8 @@ Status program_stop(Emitter& m, const Call&) {
 Status optional_stop(Emitter& m, const Call& call) {
   stop_off_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
-  // Arg 1: the stop is emitted in every case, because the machine's logic reads the switch.
+  // On a control with arg 1 in the row of M01, the stop is emitted whatever the switch, because the machine's logic reads the switch
+  // itself.
   const bool always_reported = call.row->arg == 1;
   if (m.optional_stop_on || always_reported) m.emit(Stop{true});
   return {};

@@ -13,9 +13,11 @@ namespace kadr::grbl {
 namespace {
 
 constexpr double parts_at = 0.01;  // mm; greatest distance of the two arcs without a warning
-// Least and greatest allowed difference of the radii, mm; allowed fraction of the radius (spec/grbl 5.2).
+// Grbl reports no error if the radii at start and end differ by at most arc_error (mm); above arc_error_most (mm) it always does so; in
+// between if the difference exceeds the fraction arc_error_of_radius of the radius (spec/grbl 5.2).
 constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;
-constexpr double any_difference = 1e7;  // mm; no limit is needed, because the radii have been checked already
+// greatest difference of the radii in mm that arc_around() accepts; practically no limit, because the radii have been checked already
+constexpr double any_difference = 1e7;
 
 /// The result of computing an arc from its words: an alarm, or an arc. If both are empty, Grbl moves on a straight line.
 struct Reading {

@@ -25,10 +25,10 @@ struct ArcWords {
 };
 
 struct ArcReading {
-  std::optional<Alarm> refused;  // the alarm with which Grbl refuses the arc
+  std::optional<Alarm> refused;  // alarm with which Grbl refuses the arc; nullopt: Grbl executes the arc
   std::optional<PlaneArc> arc;   // arc that Grbl executes; nullopt: Grbl moves on a straight line
   int segments = 0;              // number of straight segments into which Grbl divides the arc
-  std::optional<Alarm> parted;   // warning that Grbl's arc differs from the exact arc
+  std::optional<Alarm> parted;   // warning that the arc of Grbl differs from the exact arc by more than 0.01 mm; nullopt: no warning
 };
 
 /// Returns the arc that Grbl executes. If Grbl's arc agrees with the exact arc within 0.01 mm, the result is the exact arc.

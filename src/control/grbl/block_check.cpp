@@ -30,7 +30,7 @@ constexpr std::uint64_t bits(std::string_view letters) {
 /// as a fraction, so that G257 gives error:23.
 struct CodeNumber {
   std::int32_t whole = 0;
-  std::int32_t hundredths = 0;  // fraction of the number in hundredths, 0 to 65535
+  std::int32_t hundredths = 0;  // fraction of the code number in hundredths, 0 to 65535; for G38.2 it is 20
 };
 CodeNumber code_number(double value) {
   const double near = std::clamp(value, -1e6, 1e6);
@@ -71,7 +71,7 @@ class BlockCheck {
   }
 
  private:
-  // ---- checks of single words, in the order of the block (1.3, 3)
+  // ---- checks of single words, in the order in which the block has them (spec/grbl 1.3, 3)
 
   Status word(const Word& w) {
     if (w.address == 'G') return g_code(w);
@@ -197,7 +197,7 @@ class BlockCheck {
     return {};
   }
 
-  // ---- checks of the block as a whole (4)
+  // ---- checks of the block as a whole (spec/grbl 4)
 
   bool has(std::string_view letters) const { return (values_ & bits(letters)) != 0; }
   void use(std::string_view letters) { values_ &= ~bits(letters); }
@@ -354,7 +354,7 @@ class BlockCheck {
     return {};
   }
 
-  // ---- the end of the check
+  // ---- last check of the block: words that no code uses
 
   /// Refuses words that no code of the block uses (spec/grbl 4.10). A code that uses axis words uses all axis words of the block.
   Status words_used() {
@@ -378,7 +378,7 @@ class BlockCheck {
   const bool is_jog_;
   std::optional<Alarm>& parted_;
   CheckedBlock all_;
-  std::string axis_code_;  // the code that uses the axis words
+  std::string axis_code_;  // text of the code that uses the axis words of the block
   std::uint64_t groups_ = 0;
   std::uint64_t values_ = 0;  // letters of the words that no code has used yet, one bit per letter
   double feed_ = 0;

@@ -29,7 +29,7 @@ struct CheckedBlock {
   std::int32_t motion = -1;     // motion code of the block, or the motion code in force if the block has none; no_motion: G80
   AxisCommand axis_command = AxisCommand::none;
   bool has_axis = false;
-  bool moves = false;  // the motion code moves the tool
+  bool moves = false;  // true: the motion code of the block, or the one in force, moves the tool
   bool inch = false, absolute = true, inverse_time = false;
   std::int32_t plane = 17_g;
   std::int32_t system = -1;       // the block's code from the list G54 … G59
@@ -37,7 +37,7 @@ struct CheckedBlock {
   Axes target{};                  // end point, programmed coordinates; with G53, machine coordinates
   std::optional<PlaneArc> arc;    // arc of G2, G3; nullopt: a straight line, or an arc that is too short to be divided into segments
   int segments = 0;               // number of straight segments into which Grbl divides the arc
-  Float32Triple single_target{};  // `target` in machine coordinates, as Grbl's 32-bit numbers
+  Float32Triple single_target{};  // the end point `target` in machine coordinates, as Grbl's 32-bit numbers
 };
 
 /// Returns the whole part of a number modulo 256. This is the value that gcode.c stores for G, M, L, and for P of G10.

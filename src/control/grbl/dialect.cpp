@@ -67,7 +67,7 @@ void Grbl::started(Emitter&) { before_ = state; }
 
 /// Executes a jog, `$J=`: a straight motion with the F of its line, in mm/min. A jog does not change the modes (spec/grbl 9).
 Status Grbl::jog(Emitter& m) {
-  std::optional<Alarm> parted;  // stays empty, because a jog is never an arc
+  std::optional<Alarm> parted;  // the warning that an arc differs from Grbl's arc; remains empty, because a jog is never an arc
   state.float32_state.follow(m, state.length);
   const auto jog = check(m, *this, true, parted);
   if (!jog) return fail(jog.error());

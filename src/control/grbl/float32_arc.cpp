@@ -9,9 +9,11 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr float travel_epsilon = 5e-7F;  // angle in rad; ARC_ANGULAR_TRAVEL_EPSILON of Grbl's source
+// swept angle in rad up to which Grbl adds a whole revolution; ARC_ANGULAR_TRAVEL_EPSILON of Grbl's source
+constexpr float travel_epsilon = 5e-7F;
 constexpr float whole_turn = 2 * std::numbers::pi_v<float>;
-// Least and greatest allowed difference of the radii, mm; allowed fraction of the radius (spec/grbl 5.2).
+// Grbl reports no error if the radii at start and end differ by at most error_least (mm); above error_most (mm) it always does so; in
+// between if the difference exceeds the fraction error_of_radius of the radius (spec/grbl 5.2).
 constexpr float error_least = 0.005F, error_most = 0.5F, error_of_radius = 0.001F;
 
 float length_of(float x, float y) { return std::sqrt(x * x + y * y); }

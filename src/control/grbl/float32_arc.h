@@ -19,14 +19,15 @@ namespace kadr::grbl {
 using Float32Pair = std::array<float, 2>;
 
 struct Float32Arc {
-  // Error:33 and error:34 of Grbl are radius_wrong and radius_small.
+  // Grbl's result for the arc: radius_wrong is its error:33, radius_small its error:34.
   enum class Answer : std::uint8_t { moves, radius_small, radius_wrong };
   Answer answer = Answer::moves;
   Vec2 offset;       // vector from the start to the centre in mm, as 32-bit values
   double turns = 0;  // swept angle in revolutions, positive
   int segments = 0;  // number of straight segments; 0: one straight motion to the end point
   float radius = 0;  // radius in mm that determines the number of segments
-  float other = 0;   // second length of the alarm, mm: radius at the end (radius_wrong), or half the chord (radius_small)
+  // second length in mm that the text of the alarm shows: radius at the end (radius_wrong), or half the chord (radius_small)
+  float other = 0;
 };
 
 /// Computes the arc whose centre the words I, J, K give. `tolerance`: setting $12 (arc tolerance), mm.

@@ -17,7 +17,7 @@ namespace kadr::grbl {
 
 struct CheckedBlock;
 
-inline constexpr std::size_t axes = 3;  // X, Y, Z of Grbl's default build
+inline constexpr std::size_t axes = 3;  // number of axes: Grbl's default build has X, Y and Z
 using Float32Triple = std::array<float, axes>;
 
 /// A point stored twice: with Kadr's exact coordinates, and with Grbl's 32-bit values of these coordinates.
@@ -46,7 +46,7 @@ struct Float32State {
 
   /// Copies the interpreter's position, offsets and tool length. Called before a block is executed.
   void follow(const BlockContext& m, double tool_length);
-  /// Records what an executed block has changed.
+  /// Updates the 32-bit values after a block has been executed.
   void note(const BlockContext& m, const CheckedBlock& block, double tool_length);
   /// Records the end point of a block that has only axis words and a feed.
   void note_line(const BlockContext& m);

@@ -8,7 +8,8 @@
 namespace kadr {
 namespace {
 
-/// Returns `row` for writing. The old values of the row are recorded first, so that an alarm can restore them.
+/// Returns the table row `row`, so that the caller can change it. The old values of the row are recorded first, so that an alarm can
+/// restore them.
 Axes& to_write(BlockContext& m, Axes& row) {
   m.journal.on_undo([&row, before = row] { row = before; });
   return row;

@@ -130,7 +130,7 @@ class Checker {
     return {};
   }
 
-  // ---- which code moves (2.7)
+  // ---- decides which code of the block commands the motion (spec/linuxcnc 2.7)
 
   Status motion() {
     const bool axes = codes_.has_axis || codes_.has_polar;

@@ -117,7 +117,7 @@ class Filled {
   int decimals_ = 6;
 };
 
-/// Sets the location of an alarm from the file writer to the location of the block.
+/// Replaces the location of an alarm that the file writer has raised by the location of the block.
 Status placed_at(const Status& status, Span where) {
   if (status) return {};
   Alarm alarm = status.error();

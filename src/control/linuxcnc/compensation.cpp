@@ -14,7 +14,8 @@ namespace kadr::functions {
 namespace {
 
 constexpr std::uint8_t unknown_nose =
-    // An orientation that the table of orientations lacks. The path is that of the nose centre, and its entry before an arc is different.
+    // Number for a lathe tool whose orientation is not in the table of orientations 0 to 9. The path of such a tool is the path of its nose
+    // centre, and its entry motion before an arc differs from that of other tools.
     10;
 
 }  // namespace

@@ -37,8 +37,9 @@ struct OLine {
   OWord word = OWord::label;
   std::int32_t sub = -1;   // index of the O line that starts the subprogram around this line; -1: the line is in the main program
   std::int32_t next = -1;  // index of the next O line with the same label in the same subprogram; -1: there is no such line
-  Label mark_of = -2;      // label of the subprogram for which `mark` is valid; -2: `mark` has not been determined yet
-  std::uint32_t mark = 0;  // index of the Mark of this line's label; valid if `mark_of` is not -2
+  // label of the subprogram that was being executed when `mark` was determined; -2: `mark` has not been determined yet
+  Label mark_of = -2;
+  std::uint32_t mark = 0;  // index, in the table of Marks, of the state of this line's label; valid only if `mark_of` is not -2
 };
 
 /// The O lines of one file.
@@ -87,14 +88,14 @@ class FlowTable {
   Label defining = no_label;  // label of the subprogram whose definition is being skipped; no_label: no definition is being skipped
   std::string refused;        // text of a fault that is reported at the line to which a call has jumped
   std::vector<Label> calls;   // labels of the open subprograms
-  std::vector<bool> by_m98;   // by open subprogram: true if M98 has called it
+  std::vector<bool> by_m98;   // for each open subprogram, outermost first: true if M98 has called it
 
   // `continue` in a do loop and `break` in a while loop set these flags, but the loop does not clear them. The next loop that ends acts as
   // if it had executed the statement itself. This is a fault of LinuxCNC 2.9 (doing_continue and doing_break of LinuxCNC's source).
   bool continue_left = false, break_left = false;
   bool warned_again = false, warned_early = false;  // the warning about continue_left or break_left has been reported
 
-  // ---- the part of a snapshot; it has labels as texts, because another run numbers labels differently
+  // ---- the part of the table that a snapshot stores; labels are texts in it, because another run numbers labels differently
   struct Memory {
     std::map<std::pair<std::string, std::string>, Mark> marks;  // key: {subprogram, label}, as texts
     std::map<std::string, PassedSub> passed;
@@ -115,7 +116,7 @@ class FlowTable {
   std::vector<std::unique_ptr<OFile>> files_;  // O lines of each file, by file number
   std::vector<std::string> texts_;             // by label
   std::map<std::string, Label, std::less<>> labels_;
-  std::vector<PassedSub> passed_;  // by label of the subprogram
+  std::vector<PassedSub> passed_;  // places where subprograms are defined, by label of the subprogram
   std::vector<Mark> marks_;
   std::map<std::pair<Label, Label>, std::uint32_t> places_;  // key: {label of the subprogram, label}; value: index in marks_
 };

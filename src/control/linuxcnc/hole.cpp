@@ -25,7 +25,8 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     for (std::size_t i = 0; i < batch_size / 8; ++i) {
       if (done_ == h_.repeats) return false;
       KADR_TRY(emit_of_cycle(*m.batch, [&] { return go_on(m); }));
-      if (m.each_block) break;  // the caller of run() needs the state after each drilled hole, so only one is executed
+      // the caller of run() needs the state after each drilled hole, so only one drilled hole is executed in this call
+      if (m.each_block) break;
     }
     return done_ < h_.repeats;
   }

@@ -25,7 +25,7 @@ struct Hole {
   bool polar = false;     // in G91 with polar words @ ^ each repetition adds polar_radius and polar_angle
   double polar_radius = 0, polar_angle = 0;
   AlarmId fault = no_alarm;  // fault that LinuxCNC detects only when the tool is at the drilling position
-  bool fault_above = false;  // the fault is detected at the R level, to which the tool may have to rise first
+  bool fault_above = false;  // true: LinuxCNC detects the fault at the R level, to which the tool may have to rise first
   std::string fault_text;
   Span where;
   SpindleDir spindle = SpindleDir::stop;

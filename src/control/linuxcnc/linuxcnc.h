@@ -40,7 +40,7 @@ inline constexpr std::size_t max_spindles = 8;
 inline constexpr double whole_within = 1e-4;  // tolerance within which a value counts as a whole number (spec/linuxcnc 2.3)
 inline constexpr std::string_view axis_letters = "XYZABCUVW";  // axis letters, in the order of tables and of the control's axes
 inline constexpr std::size_t axes_of_tables = axis_letters.size(), usual_axes = 6, axis_u = 6;
-inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // true for A, B and C
+inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // true for the indices of the rotary axes A, B and C
 
 /// A tool of the tool table (spec/linuxcnc 9). Lengths are in mm, angles in degrees.
 struct Tool {
@@ -79,7 +79,7 @@ struct State {
   bool shift_on = false;  // value of #5210: the shift of G92 is in force
   Axes length{};          // tool lengths that G43 has applied, by axis, mm or degrees
   std::uint32_t system_number = 1;
-  int active_spindle = 0;  // number of the spindle with which G33, G76 synchronise
+  int active_spindle = 0;  // number of the spindle with which G33 and G76 synchronise the feed
   // Spindles by number; entry 0 is unused, because Modal has the data of the first spindle.
   std::array<OtherSpindle, max_spindles> others{};
   double max_css_speed = 0;    // word D of G96: greatest spindle speed, rev/min; 0: no limit
@@ -157,7 +157,8 @@ class LinuxCnc final : public Dialect {
 
   // ---- tables
   const Tool* tool(double number) const;
-  /// Returns the table row of a tool for writing. The old values of the row are recorded first, so that an alarm can restore them.
+  /// Returns the table row of a tool, so that the caller can change it. The old values of the row are recorded first, so that an alarm can
+  /// restore them.
   Tool& tool_to_write(BlockContext& m, int number);
   void retain_length(Emitter& m);
   Axes system_offset(const BlockContext& m, std::uint32_t number) const;
@@ -179,7 +180,7 @@ class LinuxCnc final : public Dialect {
 
   const ModalGroups groups;
   State state;
-  BlockCodes codes;  // codes of the block being executed
+  BlockCodes codes;  // G and M codes of the block being executed, by modal group
   FlowTable flow;
   MachineFile machine;                  // contents of the ini file
   std::optional<TurningCycle> turning;  // cycle G70 to G72 whose profile is being read; nullopt: no profile is being read

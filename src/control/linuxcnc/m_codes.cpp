@@ -58,7 +58,8 @@ Status restore_modes(Interpreter& m, const Modal& to) {
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
     if (g != linuxcnc_of(m).groups.index_of_g(1)) next.rows[g] = to.rows[g];
   next.feed_known = to.feed_known;
-  next.feed = std::round(to.feed * 10) / 10;  // LinuxCNC writes F with one decimal into its block of codes
+  // LinuxCNC restores F by a block of codes in which F has only one decimal, so the feed is rounded in the same way
+  next.feed = std::round(to.feed * 10) / 10;
   if (to.inch) next.feed = std::round(to.feed / mm_per_inch * 10) / 10 * mm_per_inch;
   next.tool = before.tool;
   next.tool_selected = before.tool_selected;

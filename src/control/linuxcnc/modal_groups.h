@@ -13,7 +13,8 @@ struct ControlDef;
 
 namespace kadr::linuxcnc {
 
-inline constexpr std::size_t g_groups = 17, m_groups = 11;  // numbers of modal groups: G codes 0 to 16, M codes 0 to 10 (spec/linuxcnc 3)
+// how many modal groups there are: of G codes 0 to 16, of M codes 0 to 10 (spec/linuxcnc 3)
+inline constexpr std::size_t g_groups = 17, m_groups = 11;
 
 class ModalGroups {
  public:

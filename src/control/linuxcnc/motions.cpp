@@ -19,7 +19,7 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr double least_radius = 0.00127;       // mm
-constexpr double spiral_absolute = 0.0282843;  // greatest allowed difference of the radii of an arc, mm: 2 · 0.01 · √2
+constexpr double spiral_absolute = 0.0282843;  // greatest allowed difference of the radii at start and end of an arc, mm: 2 · 0.01 · √2
 constexpr double spiral_relative = 0.001;
 
 class Arc {

@@ -60,7 +60,7 @@ class OLines {
 
   // ---- labels
 
-  /// Returns the Mark of this line's label in the subprogram being executed.
+  /// Returns the Mark (state of a loop or branch) that belongs to this line's label in the subprogram being executed.
   Mark& place();
   Mark* mark() { return place().used ? &place() : nullptr; }
   void forget_mark() { place() = {}; }

@@ -168,7 +168,8 @@ std::optional<double> place_named(const BlockContext& m, const LinuxCnc& control
   constexpr std::string_view letters = "xyzabcuvw";
   if (name.size() == 2 && letters.find(name[1]) != std::string_view::npos)
     return position(m, current_point(m, m.position.programmed), letters.find(name[1]));
-  if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) < axis_u)  // for U, V, W such a parameter does not exist
+  // LinuxCNC has parameters #<_abs_x> … #<_abs_c>, but none for U, V, W
+  if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) < axis_u)
     return position(m, current_point(m, m.position.machine), letters.find(name[5]));
   if (name == "_tool_offset")
     return std::any_of(control.state.length.begin(), control.state.length.end(), [](double v) { return v != 0; }) ? 1 : 0;
@@ -190,7 +191,7 @@ std::optional<double> of_ini(const Ini& ini, std::string_view name) {
   if (close == std::string_view::npos) return std::nullopt;
   std::string capitals(name);
   for (char& c : capitals) c = to_upper(c);
-  constexpr std::size_t begin = 5;  // offset of the section name, after `_INI[`
+  constexpr std::size_t begin = 5;  // position in the name at which the section begins, after the five characters `_INI[`
   return ini.number(capitals.substr(begin, close - begin), capitals.substr(close + 1));
 }
 

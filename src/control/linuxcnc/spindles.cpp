@@ -80,7 +80,7 @@ Status spindle_of_modes(BlockContext& m) {
   const Status taken = take_spindle(
       m, of_speed ? "Invalid spindle ($) number in Spindle Mode command" : "Invalid spindle ($) number in Spindle Feed command",
       m.block->where);
-  // The feed per revolution of G95 uses this spindle.
+  // The feed per revolution of G95 counts the revolutions of the spindle that the word `$` selects.
   if (taken && of_feed) m.modal.main_spindle = machine_number(control.state.active_spindle);
   return taken;
 }

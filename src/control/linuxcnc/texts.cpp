@@ -28,7 +28,7 @@ bool begins(std::string_view text, std::string_view word) {
 
 char small(char c) { return is_capital(c) ? static_cast<char>(c | 0x20) : c; }
 
-/// Returns the part of the line that starts at the alarm's location.
+/// Returns the rest of the program line, from the location of the alarm to the end of the line.
 std::string_view there(const AlarmReport& report) {
   const Span at = report.alarm.where;
   const std::string_view line = report.line_text;

@@ -15,7 +15,8 @@ constexpr std::initializer_list<FunctionArg> machine_codes = {
     {Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}};
 
 const CodeRow* reference_code(const ControlDef& def, int point) {
-  const int row = std::min(point, 2);  // row of the code in the table: G28, G30
+  // argument of the code in the control's table: 1 for G28, 2 for G30; points above 2 use the row of G30
+  const int row = std::min(point, 2);
   const CodeRow* const found = row_that_does(
       def,
       {{Function::reference_return, row}, {Function::home_through, row}, {Function::reference_move, row}, {Function::stored_move, row}});

@@ -180,9 +180,10 @@ Status FlatProgram::write_before_motion(const Motion& motion, const OffsetsInFor
   KADR_TRY(length_by_word(now));
   if (is_between() && system_is_written_) system_ = motion.system;
   if (form_ == FlatForm::plain || motion.system == system_ || !source_.has_systems) return {};
-  known_ = 0;  // offsets that are equal in this set-up may differ on the machine, so all axes are written again
+  known_ = 0;  // work offsets that are equal in this set-up may differ on the machine, so the next motion writes all axes again
   const int system = motion.system;
-  if (system == 0 && has_no_zeroless_system()) return {};  // each motion is then written in machine coordinates, and no code is needed here
+  // without a work offset in force, each motion is written in machine coordinates, and no code is needed here
+  if (system == 0 && has_no_zeroless_system()) return {};
   if (std::size_t(system) < source_.systems.size() && !source_.systems[std::size_t(system)].empty())
     blocks_.text(source_.systems[std::size_t(system)]);
   else if (!blocks_.code_if_there({{Function::work_system, system},
@@ -265,8 +266,8 @@ Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
     case MotionKind::spline: return no_code("spline");
   }
   at_ = motion.machine;
-  // The work coordinates of these axes are not known here, because they depend on the work offset. So the next motion writes these axes
-  // again.
+  // The end of this motion is not given in work coordinates, which depend on the work offset. So the work coordinates of the moved axes are
+  // unknown, and the next motion writes these axes again.
   if (motion.end_reference != EndReference::by_work) known_ &= ~motion.named;
   else note_system(motion);
   ++motions_;
@@ -365,8 +366,9 @@ bool FlatProgram::is_written_by_lead(const Motion& motion, int turns) const {
   return false;
 }
 
-///   centre, to  machine coordinates
-///   turns       number of revolutions, rounded up, since the last one may be incomplete
+/// Adds to one block the words of an arc, or of a helix of several revolutions.
+///   centre, to  centre and end point of the arc, machine coordinates
+///   turns       number of revolutions of the helix, rounded up, since the last one may be incomplete
 Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to, int turns) {
   KADR_TRY(motion_code(function));
   const Axes zero = base();

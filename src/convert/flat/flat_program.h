@@ -18,11 +18,11 @@ namespace kadr {
 
 /// The form in which flat blocks express the path.
 enum class FlatForm : std::uint8_t {
-  contours,  // the path as programmed: cutter compensation, tool lengths and work offsets stay codes
-  lengths,   // cutter compensation is applied to the coordinates; tool lengths and work offsets stay codes
+  contours,  // the path as programmed: cutter compensation, tool lengths and work offsets are written as codes
+  lengths,   // cutter compensation is applied to the coordinates; tool lengths and work offsets are written as codes
   plain,     // all offsets are applied to the coordinates: the words are machine coordinates
-  places,    // like `contours`, for ranges between rewritten blocks, which may have put shifts in force: the coordinates are as programmed
-  centres,   // like `places`, but cutter compensation is applied to the coordinates
+  places,    // the path as programmed (like `contours`), in ranges between rewritten blocks, which may have put shifts in force
+  centres,   // ranges between rewritten blocks (like `places`), with cutter compensation applied to the coordinates
 };
 
 /// The rows of the offset tables that are in force.
@@ -44,11 +44,12 @@ struct FlatBefore {
 struct FlatSource {
   std::vector<std::string> axes;  // axis names
   std::map<int, Axes> zeros;      // work offsets of the set-up, mm, by number of the work system
-  bool has_systems = true;        // the source control has work systems
-  bool same_messages = true;      // both controls display messages in the same way, without a code; if false, messages become comments
+  bool has_systems = true;        // true: the source control has work systems (G54 …)
+  bool same_messages = true;      // true: both controls display messages in the same way, without a code; false: messages become comments
   // Number of each M function on the target control, by number on the source control, if the tables of both controls state another number.
   std::map<std::uint32_t, std::uint32_t> machine_codes{};
-  std::array<std::optional<std::uint32_t>, 3> coolants{};  // M codes of the target control, by Coolant, if the tables state them
+  // M codes of the target control for coolant off, mist and flood, by value of Coolant, if the tables state them
+  std::array<std::optional<std::uint32_t>, 3> coolants{};
   // Codes of the target control that select a work system, by number of the work system: "G54", "G54.1 P1"
   std::vector<std::string> systems{};
 };
@@ -176,7 +177,7 @@ class FlatProgram {
   bool is_exact_ = false;  // exact stop mode is in force in the target text
   double tolerance_ = 0;   // greatest rounding of corners, mm (G64 P)
   CornerSpeed corners_ = CornerSpeed::limited;
-  // Q of G5.1: smoothing_ in the flat blocks, smoothing_before_ in the rewritten blocks before them
+  // word Q of G5.1 (smoothing): smoothing_ in the flat blocks, smoothing_before_ in the rewritten blocks before them
   std::uint8_t smoothing_ = 0, smoothing_before_ = 0;
   bool wants_direction_ = false;  // the block has an S word, so it also needs M3 or M4
 };

@@ -49,7 +49,8 @@ class RangeWriter {
       };
     }
     if (const Status begun = flat_.begin(session_.stand(), control_.placement()); !begun) return fail(begun.error());
-    text_.clear();  // discards what begin() has written, because the rewritten blocks express it already
+    // discards the mode codes that FlatProgram::begin() has written, because the rewritten blocks express these modes already
+    text_.clear();
     while (!is_over_ && !is_full_ && session_.go_on() == Session::State::running) {
     }
     close();
@@ -112,7 +113,8 @@ class RangeWriter {
   }
   FlatBefore in_force() const {
     FlatBefore modes;
-    for (const std::string& code : control_.state_now().modal) {  // reads only the codes, because there may be thousands of variables
+    // uses only the codes in force, because listing the variables in force too would take long: there may be thousands
+    for (const std::string& code : control_.state_now().modal) {
       for (const CodeRow* const row : codes_of_modes_) {
         if (row->code != code) continue;
         modes.incremental = modes.incremental || row->function == Function::incremental;
@@ -166,7 +168,8 @@ class RangeWriter {
   BlockMaker blocks_;
   FlatProgram flat_;
   const bool centres_, straight_on_;
-  std::vector<const CodeRow*> codes_of_modes_;  // rows of the codes for the modes in FlatBefore
+  // rows of those codes that set the modes in FlatBefore: incremental, inch, exact stop, corner mode
+  std::vector<const CodeRow*> codes_of_modes_;
   OffsetsInForce now_;
   std::uint32_t number_ = ~std::uint32_t{0};  // sequence number of the block in the run
   std::size_t stored_bytes_ = 0;              // size in bytes of the texts of all ranges so far

@@ -17,8 +17,8 @@ namespace kadr {
 
 struct FlatRange {
   TextLines lines;
-  bool follows = false;           // true if no block lies between the previous range and this one
-  std::string text{};             // text of the flat blocks, from one execution of the range
+  bool follows = false;           // true if no block lies between the previous expanded range and this one
+  std::string text{};             // text of the flat blocks (single motions) that one execution of the range gives
   std::size_t times = 0;          // number of executions
   std::size_t motions = 0;        // number of motions in one execution of the range
   bool differs = false;           // true if two executions of the range give different texts

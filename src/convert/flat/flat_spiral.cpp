@@ -23,7 +23,9 @@ double increment_of(const ControlDef& def, const std::string& axis) {
 
 bool FlatProgram::is_spiral(const Arms& arms) const {
   const ControlDef& def = blocks_.def();
-  const bool is_free = def.has_parameter("arc_difference");  // the parameter's default 0 switches the check of radii off
+  // true if the control has a parameter for the difference of radii; its default 0 switches the check off, so arcs with different radii are
+  // allowed
+  const bool is_free = def.has_parameter("arc_difference");
   return !is_free && std::fabs(arms.end - arms.begin) > def.behaviour.arc_radius_difference;
 }
 

@@ -187,14 +187,16 @@ Status FlatProgram::rounding(const Motion& motion) {
   if (!modes_.tolerance) return {};
   is_exact_ = false;
   KADR_TRY(blocks_.code({{Function::constant_velocity, any_argument}}));
-  constexpr int more = 3;  // additional decimals, down to 0.000001 mm, if P may have any number of decimals
+  // number of decimals that P has in addition to those of the control, down to 0.000001 mm, if the control allows any number of decimals
+  constexpr int more = 3;
   return tolerance_ > 0 ? blocks_.word('P', tolerance_, more) : Status();
 }
 
 /// Writes the corner mode in the block of the motion: G62, G63 or the code that ends them.
 Status FlatProgram::corners(const Motion& motion) {
   if (motion.corner_speed == corners_ || !modes_.speeds) return {};
-  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // the exact stop mode is used instead of a corner mode
+  // true: the code of the exact stop mode replaces the corner mode, so no corner mode is written
+  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();
   return exact_by_mode ? Status() : corner_mode(motion.corner_speed);
 }
 

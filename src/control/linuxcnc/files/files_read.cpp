@@ -9,7 +9,7 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr std::size_t max_bytes = 1'000'000;  // greatest size of such a file in bytes
+constexpr std::size_t max_bytes = 1'000'000;  // greatest size in bytes of an ini file, parameter file or tool table file that is read
 
 /// Returns the path of a file that the ini file or the set-up names. A relative path is relative to `folder` of the program memory.
 std::string path_in(const std::string& folder, const std::string& name) { return name.starts_with('/') ? name : folder + "/" + name; }

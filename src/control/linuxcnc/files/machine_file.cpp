@@ -35,7 +35,8 @@ double unit_of(std::string_view word) {
   return small == "in" || small == "inch" || small == "imperial" ? mm_per_inch : 1;
 }
 
-constexpr double no_limit = 1e300, beyond_limits = 1e99;  // limits that LinuxCNC uses if the ini file has none
+// limit of an axis for which the ini file gives none (no_limit); a value in the file of at least beyond_limits counts as none
+constexpr double no_limit = 1e300, beyond_limits = 1e99;
 
 std::pair<double, double> limits_in(const Ini& ini, char axis, double unit) {
   const std::string section = std::string("AXIS_") + axis;

@@ -33,7 +33,7 @@ struct MachineFile {
   bool known = false;  // the set-up names an ini file, which has been read
   Ini ini;
   std::string axes;                                   // [TRAJ]COORDINATES: letters of the axes; empty if the file does not give them
-  double unit = 1;                                    // [TRAJ]LINEAR_UNITS: unit of the lengths in tables and limits, in mm
+  double unit = 1;                                    // [TRAJ]LINEAR_UNITS: length in mm of the unit that tables and limits use
   std::array<std::pair<double, double>, 9> limits{};  // [AXIS_…]MIN_LIMIT and MAX_LIMIT by axis, in mm or degrees; ±1e300: no limit
   int spindles = 1;
   double orient_offset = 0;  // angle that is added to the angle of M19, degrees
@@ -45,8 +45,9 @@ struct MachineFile {
   bool random_changer = false;           // RANDOM_TOOLCHANGER: T0 is a real tool, not an empty spindle
   bool spindle_turns_in_change = false;  // TOOL_CHANGE_WITH_SPINDLE_ON: the spindle is not stopped for a tool change
   bool keeps_length = false;             // RETAIN_G43: after a tool change the new tool's length is applied
-  std::array<bool, 3> wrapped{};  // by axis A, B, C: the axis counts one revolution, and the sign of its word is the direction of rotation
-  std::array<bool, 3> indexed{};  // by axis A, B, C: the axis is an indexer, which moves only alone and by G0
+  // for each of the axes A, B, C: true if the axis counts one revolution, and the sign of its word is the direction of rotation
+  std::array<bool, 3> wrapped{};
+  std::array<bool, 3> indexed{};  // for each of the axes A, B, C: true if the axis is an indexer, which moves only alone and by G0
   std::string startup;            // RS274NGC_STARTUP_CODE: codes that are executed at power-on
   std::string parameter_file;     // PARAMETER_FILE
   std::string tool_table;         // TOOL_TABLE

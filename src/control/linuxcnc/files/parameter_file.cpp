@@ -12,7 +12,7 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr int beyond_parameters = 5602;
-constexpr std::size_t longest_line = 255;  // LinuxCNC reads the characters after this length as another line
+constexpr std::size_t longest_line = 255;  // greatest length of a line in characters; LinuxCNC reads what follows as another line
 
 /// Returns the parameters that the file must have: 5161…5169, 5181…5189, 5210…5220, and those of the nine work systems and their rotations.
 std::set<std::uint32_t> needed() {

@@ -23,15 +23,15 @@ constexpr double max_thread_passes = 100'000;
 struct Thread {
   double x = 0, z = 0;                       // coordinates of the start point of the cycle
   double side = -1;                          // direction of the infeed along X: -1 for an outside thread, +1 for an inside thread
-  double crest = 0;                          // |I|: distance of the thread crest from the drive line, mm
-  double first = 0;                          // |J|: depth of the first pass below the crest, mm
-  double height = 0;                         // |K|: full depth of the thread below the crest, mm
+  double crest = 0;                          // absolute value of word I: distance of the thread crest from the drive line, mm
+  double first = 0;                          // absolute value of word J: depth of the first pass below the crest, mm
+  double height = 0;                         // absolute value of word K: full depth of the thread below the crest, mm
   double degression = 1;                     // word R: the depth of pass n grows with n^(1/R)
   double slope = 0;                          // word Q: tangent of the compound angle
   double pitch = 0;                          // P: pitch
   double taper = 0;                          // word E: length of the taper along Z, with the sign of the travel along Z
   double taper_pitch = 0;                    //
-  bool taper_in = false, taper_out = false;  // word L: the thread has a taper at its start, at its end
+  bool taper_in = false, taper_out = false;  // taper_in: the thread has a taper at its start; taper_out: at its end (word L)
   int spring = 0;                            // word H: number of spring passes
   double target = 0;                         // coordinate Z at the end of the first pass
   Axes end{};                                // end point, programmed coordinates

@@ -56,7 +56,7 @@ void leave_uncompensated(Emitter& m) {
 /// Executes the motions of the cycle, a few at a time.
 class Turning final : public SteppedCycleValue<Turning> {
  public:
-  /// `moves`: the motions to execute; `done`: the result to report after them.
+  /// `moves`: the motions of the turning cycle, which are executed one after the other; `done`: the result to report after them.
   Turning(std::shared_ptr<const std::vector<TurningMove>> moves, Turned done, Span where)
       : moves_(std::move(moves)), done_(std::move(done)), where_(where) {}
 

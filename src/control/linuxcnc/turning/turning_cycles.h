@@ -18,7 +18,7 @@ namespace kadr::linuxcnc {
 /// The turning cycle whose profile is being read from its subprogram.
 struct TurningCycle {
   std::int32_t code = 0;  // G code in tenths: 711 is G71.1
-  std::size_t depth = 0;  // number of open calls at the block with the cycle
+  std::size_t depth = 0;  // number of calls that were open at the block with the turning cycle
   bool absolute = true, centers_absolute = false;
   TurningWords words;
   Profile profile;

@@ -92,7 +92,8 @@ Cutting::Found Cutting::dive_arc(const Piece& piece, double x) {
     if (!at.empty() && at.back() <= middle) to = Point(at.back(), x);
   } else {
     if (here_.real() <= middle) return Found::rises;
-    if (!at.empty() && at.front() < middle) return Found::below;  // only the far side of the arc has this X, so the next cut is deeper
+    // only the half of the arc beyond its middle has this X, so the tool does not move here; the next cut is deeper
+    if (!at.empty() && at.front() < middle) return Found::below;
     if (!at.empty()) to = Point(at.front(), x);
   }
   arc(piece.ccw, piece.center, to);
@@ -148,7 +149,8 @@ void Cutting::cut_to_wall(Pieces::iterator& at, double retract) {
     if (crossings.empty()) continue;
     const double z = wall != at ? crossings.front() : crossings.back();
     const double distance = std::abs(z - here_.real());
-    if (z - same_point > here_.real()) continue;  // this piece leads down to the start of the cut, so it does not end the cut
+    // this piece of the profile is on the side from which the cut comes, so it does not end the cut
+    if (z - same_point > here_.real()) continue;
     if (distance < same_point) {
       if (wall == at) continue;
       if (std::abs(here_ - wall->start) < same_point) at = wall;

@@ -16,7 +16,7 @@ struct TurningMove {
   bool to_start = false;  // the motion is a rapid to the start of a pass of G70
 };
 
-/// The words of the cycle, in the unit of the program. X is a radius.
+/// The words of a turning cycle G70 to G72, in the unit of the program. X is a radius.
 struct TurningWords {
   Point start;           // start point of the cycle
   double distance = 0;   // word D: distance of the cuts from the profile; in G70 the distance of the first pass
