@@ -68,13 +68,14 @@ struct CourseDifference {
 struct Comparison {
   bool cancelled = false;
   double greatest = 0;                              // greatest distance between the paths where both programs follow the same path, mm
-  std::size_t moves_a = 0, moves_b = 0;             // number of blocks that move axes
+  std::size_t moves_a = 0, moves_b = 0;             // number of blocks of the program that move axes
   std::vector<std::string> axes;                    // axis names
   std::vector<CourseDifference> differences;        // the differences, in the order of the programs
   std::size_t more = 0;                             // number of further differences that are not listed
-  std::optional<AlarmReport> stopped_a, stopped_b;  // alarm that stopped the program; the comparison ends there
+  std::optional<AlarmReport> stopped_a, stopped_b;  // alarm that stopped the program; the comparison ends at the block of this alarm
   std::vector<std::string> read_a, read_b;          // names of the files that each program called
-  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: names of the called files that segments come from
+  // Names of the called files from which segments come, by the number of the file (Origin::file)
+  std::map<std::uint16_t, std::string> files_a{}, files_b{};
   // Origin of the work system in which the first cut is made, in machine coordinates.
   Vec3 zero;
   std::size_t passed_messages = 0;     // number of messages of a that the rules exclude from the comparison

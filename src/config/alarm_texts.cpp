@@ -38,7 +38,7 @@ std::string with_unit(std::string_view text, Lang lang) {
 /// Formats an argument of an alarm. A number is rounded to 0.001, which is precise enough in a shop; a number below 0.01 gets six decimals.
 std::string text_of(const AlarmArg& arg, Lang lang) {
   if (!arg.is_number()) return with_unit(arg.text(), lang);
-  // The value NaN stands for a macro variable that is vacant
+  // The value NaN stands for a macro variable that is vacant, so the word "vacant" is printed instead of a number
   if (std::isnan(arg.number())) return plain_text(texts::alarm_units::vacant, lang);
   return number_text(arg.number(), std::fabs(arg.number()) >= 0.01 ? 3 : 6);
 }

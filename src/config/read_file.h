@@ -35,7 +35,8 @@ std::string no_text_message(std::string_view text, const std::string& file);
 /// Returns the location as the beginning of a message: "file:line:column: "; without a file, "line 3, column 5: ".
 std::string location_prefix(const std::string& file, std::size_t line, std::size_t column);
 
-/// Returns the same beginning of a message, for the byte at the offset `at` of `text`. Columns are counted in characters of UTF-8.
+/// Returns the location of the byte at the offset `at` of `text`, as the beginning of a message: "file:line:column: ". Columns are counted
+/// in characters of UTF-8.
 std::string location_prefix(const std::string& file, std::string_view text, std::size_t at);
 
 }  // namespace kadr

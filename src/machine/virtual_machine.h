@@ -20,7 +20,7 @@ class VirtualMachine {
   VirtualMachine(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const Setup& setup,
                  const ToolPosition& start);
 
-  /// Sets the limits of an axis, in machine coordinates. For an axis whose limits neither the set-up nor the machine file states.
+  /// Sets the limits of an axis, in machine coordinates. Has no effect on an axis whose limits the set-up or the machine file states.
   void limit(std::size_t axis, double least, double most);
 
   /// Makes this object a machine with an NCT control, whose parameters define zones and in-position windows (nct 4.1.1, 22).
@@ -82,7 +82,7 @@ class VirtualMachine {
   /// Exchanges an axis with an axis of another channel's machine: each axis keeps its name, its limits and its position.
   void exchange(std::size_t axis, VirtualMachine& with, std::size_t other);
 
-  /// The state that the next batch needs from this one.
+  /// The state of the machine between two batches of actions.
   struct Memory {
     ToolPosition position;
     AxisMask missing = 0;

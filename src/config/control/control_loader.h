@@ -95,7 +95,7 @@ class ControlLoader {
   bool has(Needs needs) const;
   Done check_address(char letter, const toml::table& row, const AddressRow& a) const;
   Done check_code(const toml::table& row, const CodeRow& c) const;
-  // ---- settings that need or exclude each other (control_loader_rules.cpp)
+  // Checks of settings that need or exclude each other. Their code is in control_loader_rules.cpp.
   Done check_machine();
   Done check_behaviour();
   Done check_grammar();

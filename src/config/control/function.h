@@ -317,8 +317,8 @@ struct FunctionTraits {
 };
 
 const FunctionTraits& traits_of(Function function);
-Function function_named(std::string_view name);  // returns Function::count if no function has this name
-Phase phase_named(std::string_view name);        // returns Phase::count if no phase has this name
+Function function_named(std::string_view name);  // returns the function with this name; Function::count if no function has it
+Phase phase_named(std::string_view name);        // returns the phase with this name; Phase::count if no phase has it
 std::string_view name_of(Phase phase);
 
 inline constexpr std::size_t most_groups = 48;  // greatest number of groups of codes, including "no group"

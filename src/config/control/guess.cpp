@@ -25,7 +25,7 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t lines_of_guess = 500;
-constexpr double near = 4;  // a control whose score is lower than the best score by more than this is not considered
+constexpr double near = 4;  // greatest difference from the best score with which a control is still considered
 
 /// The control that is guessed if no evidence points to another control. It is the most common control on hobbyists' machines.
 constexpr std::string_view usual_control = "mach3";
@@ -55,7 +55,8 @@ struct Candidate {
     for (const auto& [pattern, weight, place, needs, rarest] : rows->marks)
       if (place == MarkLocation::name && is_named_like(path, pattern)) {
         const bool of_folder = pattern.find('/') != std::string::npos;
-        const std::size_t last = path.rfind('/');  // the path has the form "/folder/part.nc", so it contains '/'
+        // `path` has the form "/folder/part.nc", so it contains at least one '/' and rfind() finds it
+        const std::size_t last = path.rfind('/');
         const std::string name(of_folder ? path.substr(1, last - 1) : path.substr(last + 1));
         const TextId<1> what = of_folder ? texts::guess::folder_is : texts::guess::name_is;
         found.push_back({weight, 0, translated_in(Lang::en, what, name), translated_in(Lang::ru, what, name)});
@@ -81,7 +82,8 @@ struct Candidate {
     std::vector<Found> all;
     std::copy_if(found.begin(), found.end(), std::back_inserter(all), [](const Found& f) { return f.weight > 0; });
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.weight > b.weight; });
-    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns may match the same word, which must count only once
+    // Evidence with the same sentence counts only once, because two patterns may have matched the same word
+    for (std::size_t i = 0; i < all.size(); ++i)
       all.erase(
           std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
           all.end());

@@ -20,9 +20,9 @@ struct Guess {
   std::string language_en, language_ru;  // name of the language `dialect`, for people
   // Controls that would execute such a program wrongly: for a lathe program, a control that Kadr reads as a mill.
   std::vector<std::string> refused_by;
-  std::string reason_en;  // the evidence as a sentence, with the lines of the program, in order of lines
+  std::string reason_en;  // sentence with the evidence for the guess; it names the program's lines in ascending order
   std::string reason_ru;
-  bool decisive = false;                                     // the evidence suffices; false: the guess is weak
+  bool decisive = false;                                     // true: the evidence is sufficient; false: the guess is weak
   std::vector<std::pair<std::string, double>> scores;        // score of each control, in the order of the controls' rows
   std::vector<std::pair<std::string, std::string>> reasons;  // evidence for each control, as sentences in English and Russian
 

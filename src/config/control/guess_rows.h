@@ -26,8 +26,9 @@ struct GuessMark {
   std::string pattern;  // pattern of the text to find, in the form of guess_pattern.h
   double weight = 0;    // strength of the evidence; below 0: evidence against the control
   MarkLocation place = MarkLocation::statement;
-  LineSigns needs = 0;            // characters without which the pattern cannot match
-  std::size_t rarest = any_sign;  // bit of the rarest character in `needs`
+  LineSigns needs = 0;  // characters without which the pattern cannot match
+  // Bit of one character that the pattern needs: of that character which the fewest lines of programs contain
+  std::size_t rarest = any_sign;
 };
 
 /// The evidence that points to one control or language.

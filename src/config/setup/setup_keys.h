@@ -32,13 +32,13 @@ enum class SetupForm : std::uint8_t {
 
 /// The names that are allowed as keys of a table, or as the text of a value.
 enum class SetupNames : std::uint8_t {
-  fixed,  // only the keys that have rows of their own in this table
+  fixed,  // the table has no other keys than those that have rows of their own in setup_keys.cpp
   any,
   axis,
   axis_of_any,    // name of an axis, of any channel
   axis_or_all,    // name of an axis, or "*" for all axes
   axis_or_plane,  // name of an axis, or "G17", "G18", "G19" for a basic rotation
-  offset,         // number of a row of the offset table; the names from here to `channel` are numbers too
+  offset,         // number of a row of the offset table; the following kinds, up to `channel`, are numbers too
   corrector,
   zero,
   reference_point,
@@ -92,7 +92,7 @@ struct SetupKey {
   SetupNeeds needs;
   std::string_view words;    // the permitted words, separated by blanks; used only for the form one_of
   std::string_view example;  // an example of the value, as JSON
-  std::string_view instead;  // key that controls of another type have for the same purpose
+  std::string_view instead;  // key that another type of control has for the same purpose
   PlainText about;
 };
 

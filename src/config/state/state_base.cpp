@@ -98,7 +98,8 @@ Done vetted(const std::string& path) {
   if (path.empty()) return tl::unexpected(translated(texts::state_file::no_name));
   if (const std::string kind = file_type_in_words(path); !kind.empty())
     return tl::unexpected(translated(texts::state_file::is_not_a_file, path, kind));
-  std::error_code none;  // file_size() does not open the file; closing the file would release the locks of this process
+  // file_size() is used because it does not open the file; closing an opened file would release the locks that this process has on it
+  std::error_code none;
   const std::uintmax_t size = fs::file_size(path, none);
   if (!none && size == 0) return tl::unexpected(translated(texts::state_file::is_empty, path));
   if (!none && size > max_bytes) return tl::unexpected(translated(texts::state_file::too_long, path));

@@ -36,9 +36,10 @@ struct InsertGeometry {
   // Entering angle, degrees: the angle between the leading cutting edge and the feed direction, which is the direction along z in which the
   // tip points.
   std::optional<double> lead;
-  double width = 0;                  // width of a grooving insert, mm; 0: the insert is not for grooving
-  std::vector<InsertPoint> profile;  // outline of the cutting part, a simple polygon; if it is not empty, it replaces the values above
-  std::vector<InsertPoint> holder;   // outline of the holder, a simple polygon; two points are opposite corners of a rectangle
+  double width = 0;  // width of a grooving insert, mm; 0: the insert is not for grooving
+  // Outline of the insert's cutting part, a simple polygon; if it has points, it replaces the nose, angles and width of the insert
+  std::vector<InsertPoint> profile;
+  std::vector<InsertPoint> holder;  // outline of the holder, a simple polygon; two points are opposite corners of a rectangle
 };
 
 struct ToolGeometry {
