@@ -19,7 +19,7 @@ namespace {
 using Kind = CourseDifference::Kind;
 constexpr double chord_of_tolerance = 1.0 / 16;
 constexpr double same_value = 1e-6;  // relative tolerance of dwell times and of feeds
-// Greatest number of items of both courses that are searched for a position at which both courses do the same again
+// Greatest number of items of both courses together that are searched for a position at which both courses do the same again
 constexpr std::size_t most_ahead = 3000;
 constexpr std::size_t max_sliver = 1000;  // greatest number of successive motions that may stay within the tolerance of a single position
 // Greatest number of vertices of each path that are used to measure the distance of a difference.

@@ -66,8 +66,8 @@ const std::string& in(const Text& text, Lang lang) {
   return !own.empty() ? own : lang == Lang::ru ? text.en : text.ru;
 }
 
-/// Returns the member of the row that stores the key; nullptr if no member does. The key `args` is never looked up, because its value is
-/// not a text.
+/// Returns the member of AlarmText that stores the text of a key, such as "hint_en"; nullptr for any other key. The key `args` is never
+/// looked up, because its value is not a text.
 std::string* place_of(AlarmText& row, std::string_view key) {
   if (key == "en") return &row.text.en;
   if (key == "ru") return &row.text.ru;

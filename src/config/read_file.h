@@ -24,7 +24,8 @@ std::string errno_message(int error);
 /// Reads the bytes of a file.
 ///   most     greatest size in bytes; a larger file is rejected without being read
 ///   returns  on failure, an error sentence with the file's name: no file, a directory, a device or a pipe (which would block or never
-///            end), no permission, too long, not reachable through the door
+///            end), no permission, too long, or not permitted by `door`
+///   door     opens the file; nullptr: the file is opened in the file system directly
 tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most = limits::config_file_bytes,
                                                  const FileAccess* door = nullptr);
 

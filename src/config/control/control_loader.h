@@ -88,7 +88,8 @@ class ControlLoader {
   Done order();
   /// Returns the phase of a row: its key `phase`, or else the phase of its function. The control's order must list this phase.
   tl::expected<Phase, std::string> phase_of(const toml::table& row, Function function);
-  // ---- the functions of the engine (control_loader_functions.cpp)
+  // Functions of the engine. Their code is in control_loader_functions.cpp.
+
   /// Returns the function in the key `does` of a row, if the engine can execute it on this control. `name_of_row` is used in messages.
   tl::expected<Function, std::string> function_of(const toml::table& row, CalledBy by, const std::string& name_of_row);
   std::string nearest_function(std::string_view name, CalledBy by) const;

@@ -35,8 +35,8 @@ std::string_view found_in_words(std::string_view text, std::string_view pattern)
 using LineSigns = std::uint64_t;
 LineSigns signs_of(std::string_view text);
 LineSigns signs_needed(std::string_view pattern);
-/// Returns the bit of one character of the set `signs`: of that character which the fewest lines of programs contain. Returns any_sign if
-/// the set is empty.
+/// Returns the number of the bit, in `signs`, of the rarest character: of the characters in the set, the fewest lines of programs contain
+/// it. Returns any_sign if the set is empty.
 inline constexpr std::size_t any_sign = 64;
 std::size_t rarest_sign(LineSigns signs);
 

@@ -27,7 +27,8 @@ struct GuessMark {
   double weight = 0;    // strength of the evidence; below 0: evidence against the control
   MarkLocation place = MarkLocation::statement;
   LineSigns needs = 0;  // characters without which the pattern cannot match
-  // Bit of one character that the pattern needs: of that character which the fewest lines of programs contain
+  // Number of the bit, in `needs`, of the rarest character: of the characters that the pattern needs, the fewest lines of programs contain
+  // it
   std::size_t rarest = any_sign;
 };
 

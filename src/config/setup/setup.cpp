@@ -113,7 +113,7 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
     try {
       Setup read;
       setup_reader::read_table(parts[i].value, "", setup_reader::readers_of(read));
-      // Reports faults that the check of the keys does not find: dates, combinations of keys, limits with a unit
+      // Reading the values finds faults that the check of the keys does not find: dates, combinations of keys, limits with a unit
     } catch (const setup_reader::Wrong& error) {
       return tl::unexpected(placed(sources[i].place, line(error.key), error.sentence));
     }

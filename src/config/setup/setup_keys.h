@@ -58,8 +58,8 @@ enum class SetupNames : std::uint8_t {
 /// What a control must have so that the key applies to it. The control's file states whether it has this (config/setup/setup_names).
 enum class SetupNeeds : std::uint8_t {
   nothing,
-  work_offsets,   // work offsets with codes as names: G54 …
-  zeros,          // work offsets with numbers as names; the order of the numbers may differ from that of the codes (2С42: G55 is zero 3)
+  work_offsets,   // the control names its work offsets by their codes: G54 …
+  zeros,          // the control names its work offsets by numbers, whose order may differ from that of the codes (2С42: G55 is zero 3)
   correctors,     // axis correctors
   variables,      // the control has variables #n or R0 … R9
   parameters,     // a parameter table

@@ -1,5 +1,4 @@
-// Reads the values that the set-up states for parameters, of an axis of the channel or of the channel itself. The rooms after the control
-// use them. Used by machine, motion.
+// Reads the values that the set-up states for parameters, of an axis of the channel or of the channel itself. Used by machine, motion.
 
 #include "config/setup/setup_parameters.h"
 
