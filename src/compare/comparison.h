@@ -23,7 +23,7 @@ struct ComparedPiece {
   enum class Part : std::uint8_t { together, changed, apart };
   Part part = Part::together;
   bool of_b = false;
-  bool act = false;  // an act while the axes are at rest (dwell, message …); only acts that differ are sent
+  bool act = false;  // true for an act while the axes are at rest (dwell, message …); only acts that differ are sent
   CourseMove move = CourseMove::rapid;
   Axes from{}, to{};
   Origin origin;
@@ -32,11 +32,12 @@ struct ComparedPiece {
 };
 
 struct CompareRules {
-  double tolerance = 0.001;     // permitted distance between the paths, mm (degrees for rotary axes)
-  bool messages = true;         // true: messages to the operator are compared
-  bool tools_by_hand = false;   // a tool change counts as a program stop at which the operator changes the tool
-  bool feeds_at_speed = false;  // a feed per revolution counts as equal to the feed per minute that it gives at the spindle speed in force
-  double feed_step = 0;         // least increment of b's F word, mm/min or mm/rev; feeds that differ by less count as equal
+  double tolerance = 0.001;    // permitted distance between the paths, mm (degrees for rotary axes)
+  bool messages = true;        // true: messages to the operator are compared
+  bool tools_by_hand = false;  // true if a tool change counts as a program stop at which the operator changes the tool
+  // True if a feed per revolution counts as equal to the feed per minute that it gives at the spindle speed in force
+  bool feeds_at_speed = false;
+  double feed_step = 0;  // least increment of b's F word, mm/min or mm/rev; feeds that differ by less count as equal
   // Work origin that the operator sets, mm, by axis name; used if b's control has no work offsets
   std::map<std::string, double> zero_of_b{};
   bool first_only = false;          // true: the comparison stops at the first difference
@@ -80,11 +81,11 @@ struct Comparison {
   Vec3 zero;
   std::size_t passed_messages = 0;     // number of messages of a that the rules exclude from the comparison
   std::size_t passed_exact_stops = 0;  // number of exact stops of a that were not compared, because b's control has no exact stops
-  // At least one pair of feeds was equal only because of CompareRules::feeds_at_speed.
+  // True if at least one pair of feeds was equal only because of CompareRules::feeds_at_speed.
   bool feeds_at_speed = false;
-  // At least one pair of feeds was equal only because of CompareRules::feed_step.
+  // True if at least one pair of feeds was equal only because of CompareRules::feed_step.
   bool feeds_rounded = false;
-  bool lost = false;  // after the last difference, no position was found at which both programs do the same again
+  bool lost = false;  // true if, after the last difference, no position was found at which both programs do the same again
 
   bool equal() const { return !cancelled && differences.empty(); }
 };

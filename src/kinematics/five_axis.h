@@ -34,8 +34,10 @@ struct RotaryPair {
 struct RotarySolutions {
   int count = 0;  // number of valid elements of `pairs`; 0: no rotary positions give the direction
   std::array<RotaryPair, 2> pairs;
-  bool first_free = false;   // the direction is singular: the first axis does not change it; `pairs` contains 0 for that axis
-  bool second_free = false;  // the direction is singular in the same way for the second axis
+  // True if the direction is singular: the first rotary axis does not change it; `pairs` contains 0 for that axis
+  bool first_free = false;
+  // True if the direction is singular because the second rotary axis does not change it; `pairs` contains 0 for that axis
+  bool second_free = false;
 };
 
 struct FiveAxis {

@@ -114,7 +114,7 @@ class VirtualMachine {
   AxisMask missing_ = 0;            // axes that did not reach their position in the last motion
   std::optional<Alarm> apart_;      // alarm that the two drives of a gantry axis are farther apart than permitted
   AxisMask gantry_ = 0;             // the gantry axis that apart_ is about, and its master
-  bool gantry_moved_ = false;       // the last motion moved a gantry axis
+  bool gantry_moved_ = false;       // true if the last motion moved a gantry axis
   Probe probe_;
   Compression compression_;
   ToolPosition position_;

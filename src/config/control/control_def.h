@@ -34,18 +34,18 @@ struct CodeRow {
   int arg = 0;
   std::uint8_t group = 0;   // index in ControlDef::groups; 0: the code is in no group, so a block may have several codes without a group
   bool modal = false;       // true if the code stays in force until another code of the same modal group replaces it
-  bool own_block = false;   // the code must be the only code of its block; the words that it uses (`takes`) are permitted in this block
-  bool needs_axis = false;  // a block with this code must have at least one axis word
+  bool own_block = false;   // true if a block with this code may have no other code; the words that the code uses (`takes`) are permitted
+  bool needs_axis = false;  // true if a block with this code must have at least one axis word
   std::uint64_t takes = 0;  // letters (one bit each) of the words that the code uses
   std::uint64_t needs = 0;  // letters (one bit each) of the words that a block with this code must have
   std::vector<std::int32_t> with;  // other codes of the same group, in tenths, that may be in the same block as this code (M7 with M8)
   Text text;
   std::string manual;
   std::uint16_t cycle = 0;      // index in ControlDef::cycles plus 1; 0: the code calls no cycle
-  bool takes_all_axes = false;  // the file has `*` in `takes`, which means that the code uses every axis word of the channel
-  bool works = true;            // Kadr implements the code
-  bool in_part = false;         // Kadr implements only a part of the code; the notes in the control's file say what is missing
-  bool reported = false;        // the control reports the code to the machine although it executes the code itself (nct 13.1)
+  bool takes_all_axes = false;  // true if `takes` is `*` in the control's file: the code uses every axis word of the channel
+  bool works = true;            // true if Kadr implements the code
+  bool in_part = false;         // true if Kadr implements only a part of the code; the notes in the control's file say what is missing
+  bool reported = false;        // true if the control reports the code to the machine although it executes the code itself (nct 13.1)
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -59,7 +59,7 @@ struct AddressRow {
   std::uint8_t number = 0;  // number of the spindle or of the auxiliary function (1 to 3) that the word commands
   WordUnit unit = WordUnit::none;
   double scale = 1;       // factor that converts the word's value to mm, degrees, s, …
-  bool whole = false;     // the value must be a whole number
+  bool whole = false;     // true if the value of the word must be a whole number
   double least = -1e300;  // least permitted value of the word; a value outside least…most raises the alarm value_out_of_range
   double most = 1e300;
   Text text;
@@ -113,7 +113,8 @@ struct CycleRow {
   std::uint64_t left_out = 0;
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
-  bool needs_override_off = false;  // the cycle requires that the overrides are switched off (G23), as L84 of the 2С42 does
+  // True if a call of the cycle requires that the overrides are switched off (G23), as L84 of the 2С42 does
+  bool needs_override_off = false;
   Text text;
   std::string manual;
 };
@@ -172,7 +173,7 @@ struct VariableRow {
   int bit = -1;  // number of the bit if the row is one bit of the variable `of`; -1: the row is a whole variable
   std::uint32_t of = 0;
   bool read = true, write = true;
-  bool works = true;  // Kadr implements the variable
+  bool works = true;  // true if Kadr implements the variable
   Text text;
   std::string manual;
 };
@@ -193,7 +194,7 @@ struct ParameterRow {
   // Names of the parameter's bits, by bit number; "" if the name of a bit is unknown. From the ninth element on: names of bits whose
   // numbers are unknown.
   std::vector<std::string> bits;
-  bool used = false;  // the parameter has an effect in Kadr
+  bool used = false;  // true if the parameter has an effect in Kadr
   // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"). A parameter of bits has one name per bit.
   std::vector<std::string> means;
   Text text;  // name and meaning of the parameter; `en` begins with the manual's own name
@@ -234,9 +235,10 @@ struct Behaviour {
   bool arc_angle_even = false;
   LengthOffset length_offset = LengthOffset::next_motion;
   CompensationEntry compensation_entry = CompensationEntry::normal;
-  // In a rapid, each axis moves at its own rate. Used if the control has no parameter that decides this (config/machine/rapid_path.h).
+  // True if each axis moves at its own rate in a rapid. Used if the control has no parameter that decides this
+  // (config/machine/rapid_path.h).
   bool rapids_apart = false;
-  bool feed_required = true;  // a feed motion before any F word is an alarm; if false, a warning (F0 is always an alarm)
+  bool feed_required = true;  // true if a feed motion before any F word is an alarm; if false, it is a warning (F0 is always an alarm)
   double result_most = 0;     // greatest absolute value that may be assigned to a variable (spec/fanuc 5.3); 0: no limit
   // Values of the machine. If the control has a parameter for a value (named in `as` of its table), the parameter takes precedence; a value
   // of the set-up takes precedence over both (config/machine/machine_axes).
@@ -246,29 +248,34 @@ struct Behaviour {
   double return_near = 1;              // distance above the previous bottom of the hole at which the rapid of G83 ends, mm
   double probe_least_distance = 0;     // least distance of a probe motion, mm
   double probe_retract = 0;            // distance by which the probe retracts along its path after contact, mm (Mach3 10.7.12.1)
-  bool probe_in_inverse_time = false;  // Grbl: under G93, F of G38 is the time of the whole path
-  bool speed_needs_direction = false;  // 2С42: S in a block without M3 or M4 does not change the speed
-  bool skip_asks = false;              // the set-up may state that the control asks the operator before it skips a block (spec/gost 2)
-  bool tool_and_corrector = false;     // T0404: if T has more than two digits, its last two digits are the offset number
-  bool end_required = false;           // Kadr warns if a program has no M2 or M30
-  bool ends_reading = true;            // the control reads nothing after the end of the program (GOST)
-  bool delayed_assignment = false;     // Mach3: an assignment takes effect after its block: in `#1=5 X#1`, X is the old #1
-  bool feed_of_axis = false;     // F directly after an axis word, and before further axis words, is the feed of that axis (GOST 20999-83)
-  bool label_is_number = false;  // O0001 directly after % is the program number (spec/gost 1)
+  bool probe_in_inverse_time = false;  // true on Grbl: under G93, the F word of a probe motion (G38) states the time of its whole path
+  bool speed_needs_direction = false;  // true on the 2С42: an S word in a block without M3 or M4 does not change the speed
+  bool skip_asks = false;  // true if the set-up may state that the control asks the operator before it skips a block (spec/gost 2)
+  // True if the last two digits of a T word with more than two digits are the offset number, as in T0404
+  bool tool_and_corrector = false;
+  bool end_required = false;  // true if Kadr warns of a program without M2 or M30
+  bool ends_reading = true;   // true if the control reads nothing after the end of the program (GOST)
+  // True on Mach3: an assignment takes effect only after its block, so in `#1=5 X#1`, X has the old value of #1
+  bool delayed_assignment = false;
+  // True if an F word directly after an axis word, with further axis words after it, is the feed of that axis (GOST 20999-83)
+  bool feed_of_axis = false;
+  bool label_is_number = false;  // true if O0001 directly after % is the program number (spec/gost 1)
   // The members from here to the end of the struct are for controls with custom macros (spec/fanuc).
   LaterWord later_word_counts = LaterWord::nowhere;
   CycleWords cycle_words = CycleWords::shift_by_ijk;
   // The unit of P in a dwell. If it is not s, the dwell words X and U are still in s, and G4 alone is an exact stop (spec/fanuc 4.1).
   DwellUnit dwell_unit = DwellUnit::seconds;
-  // In every plane, cycles drill along Z and G43 acts on Z, unless a parameter selects another axis (spec/fanuc 7.1, 10.1).
+  // True if cycles drill along Z and G43 acts on Z in every plane, unless a parameter selects another axis (spec/fanuc 7.1, 10.1).
   bool tool_along_third = false;
-  bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times: P contains repetitions and program number (spec/fanuc 9.1)
-  bool machine_move_absolute = false;      // G53 has no effect under G91 (spec/fanuc 6.5)
-  bool repeats_by_k = false;               // true: the word K is the repeat count of a drilling cycle; false: the word L (spec/fanuc 10.1)
-  bool reference_all_axes = false;         // G28 without axis words moves all axes directly to the reference point (spec/haas 5.1)
-  bool returns_to_own_block = false;       // M99 P jumps to a block of the program that contains the M99 (spec/haas 3.3)
-  bool repeats_keep_locals = false;        // the arguments of G65 L are set for the first repetition only (spec/haas 3.4)
-  bool words_passed_over = false;          // a word that no code of the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
+  // True if P of M98 contains repetitions and program number: M98 P51002 calls O1002 five times (spec/fanuc 9.1)
+  bool repeats_in_program_number = false;
+  bool machine_move_absolute = false;  // true if G53 has no effect under G91 (spec/fanuc 6.5)
+  bool repeats_by_k = false;           // true: the word K is the repeat count of a drilling cycle; false: the word L (spec/fanuc 10.1)
+  bool reference_all_axes = false;     // true if G28 without axis words moves all axes directly to the reference point (spec/haas 5.1)
+  bool returns_to_own_block = false;   // true if M99 P jumps to a block of the program that contains the M99 (spec/haas 3.3)
+  // True if the arguments of a macro call with repetitions (G65 L) are set for the first repetition only (spec/haas 3.4)
+  bool repeats_keep_locals = false;
+  bool words_passed_over = false;  // true if a word that no code of the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
   // The assignment #3000=n in a program raises the alarm with the number alarm_base + n (spec/fanuc 5.5)
   std::uint32_t alarm_base = 4000;
   std::uint32_t call_depth = 16;
@@ -319,7 +326,7 @@ struct ControlDef {
   std::vector<std::string> axes;                      // names of the axes, in order
   std::uint32_t rotary = 0;                           // mask of rotary axes
   std::uint32_t diameter = 0;                         // mask of axes programmed as diameters
-  bool diameter_by_setup = false;                     // the set-up states which axes are programmed as diameters (spec/gost 5)
+  bool diameter_by_setup = false;                     // true if the set-up states which axes are programmed as diameters (spec/gost 5)
   std::array<std::uint8_t, max_axes> axis_numbers{};  // numbers of the axes, counted from 1 across all channels of the control (nct 2.1)
   std::uint8_t channel = 1;
   std::vector<GroupRow> groups;  // groups of codes; groups[0] is for codes without group

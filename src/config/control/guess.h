@@ -22,7 +22,7 @@ struct Guess {
   std::vector<std::string> refused_by;
   std::string reason_en;  // sentence with the evidence for the guess; it names the program's lines in ascending order
   std::string reason_ru;
-  bool decisive = false;                                     // true: the evidence is sufficient; false: the guess is weak
+  bool decisive = false;  // true if the evidence for the guessed control is sufficient; false: the guess is weak
   std::vector<std::pair<std::string, double>> scores;        // score of each control, in the order of the controls' rows
   std::vector<std::pair<std::string, std::string>> reasons;  // evidence for each control, as sentences in English and Russian
 

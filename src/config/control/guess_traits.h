@@ -18,7 +18,7 @@ enum class TextTrait : std::uint8_t {
   whole_lengths,    // X10, Y-5: coordinates have one to three digits, and no coordinate has a decimal point
   plus_signs,       // `X+10.`: numbers have plus signs, and no code has a single digit
   two_digit_codes,  // all codes have two digits, as G01 has, and every block has a block number
-  // The text starts with `%` and a program number such as O0001; not set if all blocks are numbered and all codes have two digits
+  // A line with `%` is followed by a program number such as O0001; not set if all blocks are numbered and all codes have two digits
   program_number,
   percent,          // the text starts with `%`
   no_percent,       // the text has no `%`

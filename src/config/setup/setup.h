@@ -196,8 +196,9 @@ struct Setup {
   std::string clock;
   std::string ini;  // name of the control's ini file, relative to the folder of the program memory; empty: there is no ini file
   int channel = 1;
-  std::map<int, ChannelSetup> channels;  // channels other than `channel`, by number
-  std::vector<int> skip;                 // numbers of the block skip switches that are on
+  // Data of the other channels, by channel number; the program itself runs in channel number `channel`
+  std::map<int, ChannelSetup> channels;
+  std::vector<int> skip;  // numbers of the block skip switches that are on
   // The operator's answers to the question whether to skip a block. The last answer applies to all further blocks. If empty, the operator
   // is not asked.
   std::vector<bool> skip_answers;

@@ -19,7 +19,7 @@ bool has(const ControlDef& def, SetupNeeds needs);
 struct WorkSystem {
   std::string name;   // "G54", "G54.1 P2"
   std::uint32_t row;  // number of the row in the table of work offsets or fixtures
-  bool works = true;  // Kadr implements the work system
+  bool works = true;  // true if Kadr implements the work system
 };
 std::vector<WorkSystem> work_systems(const ControlDef& def);
 /// Returns the names of the work systems by `row`. Element 0 is the code that selects no work system ("G53"); empty if there is no such

@@ -40,7 +40,7 @@ Base::~Base() {
 Done Base::connect() {
   std::error_code none;
   had_log_ = fs::exists(path_ + "-wal", none);
-  // With this prefix, SQLite does not treat ":memory:" and "file:…" as special names
+  // The prefix "./" keeps SQLite from treating names such as ":memory:" and "file:…" as special names
   const std::string name = path_[0] == '/' ? path_ : "./" + path_;
   constexpr int how = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
   if (const int code = sqlite3_open_v2(name.c_str(), &connection_, how, nullptr); code != SQLITE_OK) return failed(code);

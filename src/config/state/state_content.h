@@ -40,8 +40,8 @@ struct Whole {
 
 struct Content {
   std::string control;              // id of the control; empty if the file does not state it readably
-  bool checked = true;              // the file has checksums; if false, an older Kadr wrote the file
-  bool ours = true;                 // the file has the tables or the application id of Kadr
+  bool checked = true;              // true if the file has checksums; if false, an older Kadr wrote the file
+  bool ours = true;                 // true if the file has the tables or the application id of a state file of Kadr
   std::vector<StateRow> rows;       // the valid rows, sorted
   std::vector<std::uint64_t> sums;  // checksum of each row
   std::vector<std::string> faults;  // the faults of the file as sentences; empty: the file is valid

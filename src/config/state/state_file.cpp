@@ -58,7 +58,7 @@ class StateFile::Database {
   // Checksums that the rows had before the save in progress. They are restored if the save fails.
   std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;
   std::vector<StateRow> unchecked_;   // all rows of the file, if the file has no checksums yet
-  bool old_ = false;                  // the file has no checksums yet
+  bool old_ = false;                  // true if the file has no checksums yet
   std::optional<FileId> file_, log_;  // identities of the file and its log at the time when they were opened; nullopt: not opened yet
 };
 

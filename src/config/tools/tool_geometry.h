@@ -55,7 +55,7 @@ struct ToolGeometry {
   std::vector<ProfilePoint> profile;  // outline of the cutting part of a form tool
   std::vector<ProfilePoint> shank;    // outline of the shank; empty: the shank is a cylinder of `diameter` from `flutes` to `length`
   std::vector<ProfilePoint> holder;   // outline of the holder; empty: the shape of the holder is not known
-  bool plunges = true;                // the tool may cut when it moves straight down
+  bool plunges = true;                // true if the tool can cut while it moves straight down
   int teeth = 0;                      // number of cutting edges; 0: the number is not known
   InsertGeometry insert;              // insert of the tool; only for a turning tool
 };
