@@ -44,7 +44,8 @@ struct CompareRules {
   bool times = true;                // compute CourseSpot::at
   std::size_t max_reported = 1000;  // greatest number of differences in Comparison::differences; further differences are only counted
   StopToken stop{};
-  std::function<void(const ComparedPiece&)> on_piece{};  // receives each segment while the paths are compared
+  // A function of the client that receives each segment while the paths are compared
+  std::function<void(const ComparedPiece&)> on_piece{};
 };
 
 /// A position in the course of one of the two programs.

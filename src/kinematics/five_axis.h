@@ -55,9 +55,9 @@ struct FiveAxis {
   bool second_on_table() const { return group == MachineGroup::table_table || group == MachineGroup::head_table; }
   bool has_table() const { return second_on_table(); }
   bool has_head() const { return group == MachineGroup::head_head || group == MachineGroup::head_table; }
-  // R1: rotation matrix of the first joint at this position
+  // R1: rotation matrix of the first joint when it is at the position `at`, degrees
   Mat3 first_turn(double at) const { return Mat3::about(first.direction, first.sense * at); }
-  // R2: rotation matrix of the second joint at this position
+  // R2: rotation matrix of the second joint when it is at the position `at`, degrees
   Mat3 second_turn(double at) const { return Mat3::about(second.direction, second.sense * at); }
 
   /// Returns the rotation of the tool that the head's rotary axes cause.

@@ -113,7 +113,7 @@ class VirtualMachine {
   AxisMask never_in_position_ = 0;  // axes whose position error in the set-up exceeds the permitted error
   AxisMask missing_ = 0;            // axes that did not reach their position in the last motion
   std::optional<Alarm> apart_;      // alarm that the two drives of a gantry axis are farther apart than permitted
-  AxisMask gantry_ = 0;             // the gantry axis that apart_ is about, and its master
+  AxisMask gantry_ = 0;             // the gantry axis whose drives are too far apart (see apart_), and its master axis
   bool gantry_moved_ = false;       // true if the last motion moved a gantry axis
   Probe probe_;
   Compression compression_;

@@ -101,7 +101,7 @@ struct CycleRow {
   std::string name;               // name of the cycle: "G81", "L81"
   std::uint32_t call_number = 0;  // number after L in the call: 81 for L81; 0: the cycle is called by its code
   std::vector<CycleStep> steps;   // steps of the cycle; empty if the cycle has a `body`
-  std::string body;               // program of the cycle in the control's own language; empty if the cycle has `steps`
+  std::string body;               // program of the cycle, as text in the form that the control reads; empty if the cycle has `steps`
   std::string printed;            // program that the manual prints for the cycle, for people to read; only for a cycle that has `steps`
   // For a cycle that is a permanent subprogram of the control: address letter of a word in the call, and number of the formal parameter
   // that this word sets

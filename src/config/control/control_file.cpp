@@ -171,8 +171,8 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   return under;
 }
 
-/// Returns false for files of controls/ that do not describe a control: texts of alarms, languages that Kadr does not read, parameter
-/// tables.
+/// Returns false for files of controls/ that do not describe a control: texts of alarms, program languages that Kadr does not read,
+/// parameter tables.
 bool is_control(std::string_view name) { return name != "alarms" && name != "dialects" && !is_parameter_table(name); }
 
 /// Returns the id of the control with this name: the name itself if it is an id, or the id that the alias belongs to.

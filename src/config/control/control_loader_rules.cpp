@@ -97,8 +97,8 @@ bool ControlLoader::does(std::initializer_list<Function> functions) const {
          std::any_of(def_.addresses.begin(), def_.addresses.end(), [&](const AddressRow& row) { return one_of(row.function); });
 }
 
-/// Checks that a control has both the machine and the language of the NCT (dialect = "nct"), or neither. One of them does not work without
-/// the other.
+/// Checks that a control has both the machine and the program language of the NCT (dialect = "nct"), or neither. One of them does not work
+/// without the other.
 Done ControlLoader::check_machine() {
   const Grammar& g = def_.grammar;
   const toml::table* const words = section("grammar");

@@ -38,7 +38,7 @@ struct Found {
   std::string en, ru;
 };
 
-/// A control or a language, with the evidence for it that has been found so far.
+/// A control or a program language, with the evidence for it that has been found so far.
 struct Candidate {
   const GuessRows* rows;
   bool is_dialect;
@@ -104,7 +104,7 @@ class OpenMarks {
   }
 
   /// Searches a line for marks. `signs`: the characters of the line as written, with its comments. With `only_against`, evidence for
-  /// languages that Kadr does not read is ignored.
+  /// program languages that Kadr does not read is ignored.
   void take(const GuessLine& line, LineSigns signs, std::uint32_t number, bool only_against) {
     hits_.clear();
     for (LineSigns rest = signs; rest != 0; rest &= rest - 1)
@@ -182,7 +182,7 @@ Guess guess_of(const std::vector<Candidate>& candidates) {
   return guess;
 }
 
-/// Returns the language that Kadr does not read, if the evidence identifies one; else nullptr.
+/// Returns the program language that Kadr does not read, if the evidence identifies one; else nullptr.
 const Candidate* dialect_of(const std::vector<Candidate>& dialects) {
   const auto best =
       std::max_element(dialects.begin(), dialects.end(), [](const Candidate& a, const Candidate& b) { return a.score() < b.score(); });
@@ -213,7 +213,7 @@ Guess unknown(const KindOfText& text) {
 }
 
 /// Returns true if the line has a name in angle brackets (#<…>, O<…>). Such a name of LinuxCNC may contain any letters, so the line is not
-/// used as evidence for another language.
+/// used as evidence for another program language.
 bool has_names(const GuessLine& line) {
   return line.written.find("#<") != std::string::npos || line.written.find("O<") != std::string::npos;
 }

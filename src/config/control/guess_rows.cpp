@@ -1,5 +1,5 @@
-// Reads the section [guess] of control files and languages. Used by config/control/guess and config/control/control_loader_words; tested by
-// tests/config/guess_test.cpp.
+// Reads the section [guess] of control files, and of the program languages in controls/dialects.toml. Used by config/control/guess and
+// config/control/control_loader_words; tested by tests/config/guess_test.cpp.
 
 #include "config/control/guess_rows.h"
 
@@ -98,7 +98,7 @@ const std::vector<GuessRows>& dialect_rows() {
     for (const auto& [id, node] : *table) {
       const toml::table& dialect = *node.as_table();
       auto rows = guess_rows_of(*dialect["guess"].as_table(), file);
-      assert(rows);  // the rows of a language are always valid, because tests/config/guess_test.cpp reads all of them
+      assert(rows);  // the rows of a program language are always valid, because tests/config/guess_test.cpp reads all of them
       rows->control = std::string(id.str());
       rows->name_en = dialect["name"]["en"].value_or(std::string());
       rows->name_ru = dialect["name"]["ru"].value_or(std::string());

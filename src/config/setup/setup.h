@@ -165,7 +165,7 @@ struct Setup {
   std::vector<std::string> axes;  // names of the axes; empty: the axes that the control's file names
   AxisValues start;
   bool start_in_work = false;
-  std::vector<std::string> modal;  // code words in force at the start
+  std::vector<std::string> modal;  // code words, such as "G90", in force at the start of the run
   std::optional<double> feed;      // feed at the start, mm/min
   std::map<int, ToolOffset> offsets;
   // Work offsets by code: "G54", "G59 P7", "common". A basic rotation other than 0 has the axis name "G17", "G18" or "G19", and is in
