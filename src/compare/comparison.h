@@ -37,7 +37,8 @@ struct CompareRules {
   bool tools_by_hand = false;  // true if a tool change counts as a program stop at which the operator changes the tool
   // True if a feed per revolution counts as equal to the feed per minute that it gives at the spindle speed in force
   bool feeds_at_speed = false;
-  double feed_step = 0;  // least increment of b's F word, mm/min or mm/rev; feeds that differ by less count as equal
+  // Least increment of b's F word, mm/min or mm/rev; feeds count as equal if they differ only by the rounding to this increment
+  double feed_step = 0;
   // Work origin that the operator sets, mm, by axis name; used if b's control has no work offsets
   std::map<std::string, double> zero_of_b{};
   bool first_only = false;          // true: the comparison stops at the first difference
