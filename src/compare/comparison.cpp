@@ -18,12 +18,14 @@ namespace {
 
 using Kind = CourseDifference::Kind;
 constexpr double chord_of_tolerance = 1.0 / 16;
-constexpr double same_value = 1e-6;       // relative tolerance of dwell times and of feeds
-constexpr std::size_t most_ahead = 3000;  // greatest number of items of each course in which the search for a common position looks
+constexpr double same_value = 1e-6;  // relative tolerance of dwell times and of feeds
+// Greatest number of items of both courses together that are searched for a position at which both courses do the same again
+constexpr std::size_t most_ahead = 3000;
 constexpr std::size_t max_sliver = 1000;  // greatest number of successive motions that may stay within the tolerance of a single position
 // Greatest number of vertices of each path that are used to measure the distance of a difference.
 constexpr std::size_t max_measured = 500;
-constexpr int max_searches = 200;  // greatest number of searches far ahead; two programs that need more count as unrelated
+// Greatest number of long or unsuccessful searches; if two programs need more, the comparison counts them as unrelated
+constexpr int max_searches = 200;
 
 bool is_same(double a, double b) { return std::abs(a - b) <= same_value * std::max({1.0, std::abs(a), std::abs(b)}); }
 
@@ -170,8 +172,9 @@ class Comparer {
     add(d);
     return number;
   }
-  /// Compares the ends of both courses, and the states of spindle and coolant at the ends. At its end, b may switch off what a leaves on,
-  /// because most controls switch spindle and coolant off by themselves. If a switches off what b leaves on, that is a difference.
+  /// Compares the ends of both courses, and the states of spindle and coolant there. Program b may switch off at its end what program a
+  /// leaves on, because most controls switch spindle and coolant off by themselves. The reverse is a difference: a switches off what b
+  /// leaves on.
   void ends() {
     const CourseItem &a = a_.item(0), &b = b_.item(0);
     if (a.fault != b.fault) return ends_differ();
@@ -357,7 +360,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
   const PathModes of_b = path_modes_of(course_b.session().def());
   PathModes modes = path_modes_of(course_a.session().def()) & of_b;
-  modes.exact = of_b.exact;  // exact stops of b are compared even if a's control has no exact stops
+  modes.exact = of_b.exact;  // exact stops are compared whenever b's control has codes for them, even if a's control has none
   course_a.look_at(modes), course_b.look_at(modes);
   match_codes(course_a, course_b);
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();

@@ -23,7 +23,7 @@ struct ComparedPiece {
   enum class Part : std::uint8_t { together, changed, apart };
   Part part = Part::together;
   bool of_b = false;
-  bool act = false;  // an act while the axes are at rest (dwell, message …); only acts that differ are sent
+  bool act = false;  // true for an act while the axes are at rest (dwell, message …); only acts that differ are sent
   CourseMove move = CourseMove::rapid;
   Axes from{}, to{};
   Origin origin;
@@ -32,18 +32,21 @@ struct ComparedPiece {
 };
 
 struct CompareRules {
-  double tolerance = 0.001;     // permitted distance between the paths, mm (degrees for rotary axes)
-  bool messages = true;         // true: messages to the operator are compared
-  bool tools_by_hand = false;   // a tool change counts as a program stop at which the operator changes the tool
-  bool feeds_at_speed = false;  // a feed per revolution counts as equal to the feed per minute that it gives at the spindle speed in force
-  double feed_step = 0;         // least increment of b's F word, mm/min or mm/rev; feeds that differ by less count as equal
+  double tolerance = 0.001;    // permitted distance between the paths, mm (degrees for rotary axes)
+  bool messages = true;        // true: messages to the operator are compared
+  bool tools_by_hand = false;  // true if a tool change counts as a program stop at which the operator changes the tool
+  // True if a feed per revolution counts as equal to the feed per minute that it gives at the spindle speed in force
+  bool feeds_at_speed = false;
+  // Least increment of b's F word, mm/min or mm/rev; feeds count as equal if they differ only by the rounding to this increment
+  double feed_step = 0;
   // Work origin that the operator sets, mm, by axis name; used if b's control has no work offsets
   std::map<std::string, double> zero_of_b{};
   bool first_only = false;          // true: the comparison stops at the first difference
   bool times = true;                // compute CourseSpot::at
   std::size_t max_reported = 1000;  // greatest number of differences in Comparison::differences; further differences are only counted
   StopToken stop{};
-  std::function<void(const ComparedPiece&)> on_piece{};  // receives each segment while the paths are compared
+  // A function of the client that receives each segment while the paths are compared
+  std::function<void(const ComparedPiece&)> on_piece{};
 };
 
 /// A position in the course of one of the two programs.
@@ -68,22 +71,23 @@ struct CourseDifference {
 struct Comparison {
   bool cancelled = false;
   double greatest = 0;                              // greatest distance between the paths where both programs follow the same path, mm
-  std::size_t moves_a = 0, moves_b = 0;             // number of blocks that move axes
+  std::size_t moves_a = 0, moves_b = 0;             // number of blocks of the program that move axes
   std::vector<std::string> axes;                    // axis names
   std::vector<CourseDifference> differences;        // the differences, in the order of the programs
   std::size_t more = 0;                             // number of further differences that are not listed
-  std::optional<AlarmReport> stopped_a, stopped_b;  // alarm that stopped the program; the comparison ends there
+  std::optional<AlarmReport> stopped_a, stopped_b;  // alarm that stopped the program; the comparison ends at the block of this alarm
   std::vector<std::string> read_a, read_b;          // names of the files that each program called
-  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: names of the called files that segments come from
+  // Names of the called files from which segments come, by the number of the file (Origin::file)
+  std::map<std::uint16_t, std::string> files_a{}, files_b{};
   // Origin of the work system in which the first cut is made, in machine coordinates.
   Vec3 zero;
   std::size_t passed_messages = 0;     // number of messages of a that the rules exclude from the comparison
   std::size_t passed_exact_stops = 0;  // number of exact stops of a that were not compared, because b's control has no exact stops
-  // At least one pair of feeds was equal only because of CompareRules::feeds_at_speed.
+  // True if at least one pair of feeds was equal only because of CompareRules::feeds_at_speed.
   bool feeds_at_speed = false;
-  // At least one pair of feeds was equal only because of CompareRules::feed_step.
+  // True if at least one pair of feeds was equal only because of CompareRules::feed_step.
   bool feeds_rounded = false;
-  bool lost = false;  // after the last difference, no position was found at which both programs do the same again
+  bool lost = false;  // true if, after the last difference, no position was found at which both programs do the same again
 
   bool equal() const { return !cancelled && differences.empty(); }
 };

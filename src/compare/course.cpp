@@ -160,7 +160,7 @@ void Course::take_event(const Step& step, CourseEvent::Kind kind, double value, 
   item.kind = CourseItem::Kind::act;
   put_in_frame(item.to, step.from.machine);
   item.state = state_;
-  // Both count as off, because it depends on the machine whether spindle and coolant stop for a tool change
+  // At a tool change, spindle and coolant count as off, because it depends on the machine whether they stop
   if (kind == CourseEvent::Kind::tool) {
     item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false;
     item.state.coolant = Coolant::off;

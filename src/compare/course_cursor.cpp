@@ -41,7 +41,7 @@ Axes CourseSpace::between(const Axes& a, const Axes& b, double part) const {
 
 CourseSpace::Interval CourseSpace::within(const Axes& point, const Axes& from, const Axes& to, double most) const {
   double squared_length = 0, along = 0,
-         off = 0;  // sums over the axes: way = |to − from|², along = (point − from)·(to − from), off = |point − from|²
+         off = 0;  // sums over the axes: squared_length = |to − from|², along = (point − from)·(to − from), off = |point − from|²
   for (std::size_t i = 0; i < axes_; ++i) {
     const double w = to[i] - from[i], p = point[i] - from[i];
     squared_length += w * w, along += p * w, off += p * p;

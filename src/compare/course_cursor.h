@@ -22,7 +22,8 @@ class CourseSpace {
     bool empty() const { return first > last; }
   };
   Interval within(const Axes& point, const Axes& from, const Axes& to, double most) const;
-  /// Returns the fraction in the interval at which the segment is nearest to the point.
+  /// Returns the fraction (0 to 1) at which the segment from `from` to `to` is nearest to `point`. Only fractions in the interval `in` are
+  /// considered.
   double nearest(const Axes& point, const Axes& from, const Axes& to, Interval in) const;
 
  private:

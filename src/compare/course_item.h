@@ -21,7 +21,7 @@ struct CourseState {
   double lead = 0;  // thread lead, mm
   std::uint32_t tool = 0;
   SpindleDir spindle = SpindleDir::stop;
-  bool surface = false;  // constant surface speed is in force: `speed` is in m/min
+  bool surface = false;  // true if constant surface speed is in force: `speed` is then in m/min
   double speed = 0;      // speed of the rotating spindle, rev/min; m/min if `surface`
   Coolant coolant = Coolant::off;
   double tolerance = 0;  // greatest rounding of corners, mm (G64 P)
@@ -34,8 +34,8 @@ struct CourseState {
 struct CourseEvent {
   enum class Kind : std::uint8_t { tool, dwell, stop, optional_stop, message, function, exact_stop, other };
   Kind kind = Kind::other;
-  double value = 0;  // depends on the kind: tool number; dwell time in s; number of the message or function
-  std::string text;  // text of a message; for `other`, the name of the act
+  double value = 0;  // number whose meaning depends on the kind of act: tool number; dwell time in s; number of the message or function
+  std::string text;  // text of a message; for an act of the kind `other`, the name of the act
   friend bool operator==(const CourseEvent&, const CourseEvent&) = default;
 };
 
@@ -47,7 +47,7 @@ struct CourseItem {
   std::shared_ptr<const CourseEvent> act;  // the act; nullptr if the item is a motion or the end
   Origin origin;
   double begins = 0, ends = 0;   // programmed times of the item's start and end, s since the start of the run
-  std::optional<AlarmId> fault;  // for the end of the course: alarm that stopped the program
+  std::optional<AlarmId> fault;  // alarm that stopped the program; only in the item for the end of the course
 };
 
 }  // namespace kadr

@@ -67,7 +67,7 @@ class DifferencePlot {
 
   Chain chain_;
   DifferenceSketch whole_;
-  std::deque<SketchPiece> recent_;   // the last segments that both programs follow
+  std::deque<SketchPiece> recent_;   // the last segments that both programs follow, for a close-up that may begin next
   std::array<Closeup, 3> closeups_;  // close-ups of the first two differences, and of the greatest difference
   double greatest_ = 0;
   std::optional<std::size_t> begun_;  // index of the last difference of which a segment has arrived; nullopt: none yet

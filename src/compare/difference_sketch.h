@@ -12,7 +12,7 @@ struct SketchPiece {
   Vec3 from, to;
   Stroke stroke = Stroke::feed;
   ProgramLine line;
-  bool act = false;  // the segment stands for an act: it has a position but no length
+  bool act = false;  // true if the segment stands for an act: it has a position but no length
   friend bool operator==(const SketchPiece&, const SketchPiece&) = default;
 };
 

@@ -9,15 +9,18 @@
 namespace kadr {
 namespace {
 
-// Greatest size of a window, as a multiple of the distance between the paths. In a larger window, the distance is hardly visible.
+// Greatest size of the section of the part that a close-up shows, as a multiple of the distance between the paths. In a larger section, the
+// distance is hardly visible.
 constexpr double max_times = 12;
-constexpr double good_times = 6;  // size of a window, as a multiple of the distance between the paths, that shows the distance well
-// Greatest size of a window, as a fraction of the part's size. A larger window shows no more than the view of the whole part.
+// Size of the section of the part in a close-up, as a multiple of the distance between the paths, that shows the distance well
+constexpr double good_times = 6;
+// Greatest size of the section of the part that a close-up shows, as a fraction of the part's size. A larger section shows no more than the
+// view of the whole part.
 constexpr double little_part = 0.6;
-constexpr double margin_part = 0.15;   // margin around a window, as a fraction of the window
-constexpr double place_part = 0.06;    // size of the window around a single position, as a fraction of the part's size
-constexpr double least_window = 0.02;  // least size of a window, mm
-constexpr double page_size = 500;      // approximate size of a view, in units of the drawn page
+constexpr double margin_part = 0.15;   // margin around what a close-up must show, as a fraction of the section shown
+constexpr double place_part = 0.06;    // size of the section around a single position in a close-up, as a fraction of the part's size
+constexpr double least_window = 0.02;  // least size of the section of the part that a close-up shows, mm
+constexpr double page_size = 500;      // approximate size of a drawn view of the part, in units of the page
 
 double greatest_of(Vec3 v) { return std::max({v.x, v.y, v.z}); }
 

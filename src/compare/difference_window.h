@@ -9,7 +9,7 @@ struct DifferenceWindow {
   View view = View::xy;
   Box box;
   double finest = 0;    // size of the smallest details that are visible in the close-up, mm
-  bool closer = false;  // the close-up shows more detail than the view of the whole part
+  bool closer = false;  // true if the close-up shows more detail than the view of the whole part
 };
 
 ///   differing  box of the paths that differ

@@ -12,9 +12,10 @@ namespace {
 using Interval = CourseSpace::Interval;
 constexpr std::size_t most_open = 20'000;  // greatest number of segments of one path that may be near a single position of the other path
 
-// Greatest number of segments by which b may lag behind a; greatest number of identical segments among which vE (see below) is searched.
+// max_lag: greatest number of segments by which path b may lag behind path a. most_alike: greatest number of identical segments that are
+// searched for a vertex far enough away to pass them without the free-space diagram.
 constexpr std::size_t max_lag = 4, most_alike = 16;
-constexpr double same_projection = 1e-12;  // a smaller distance, in mm, counts as 0 and is not reported
+constexpr double same_projection = 1e-12;  // distance between the paths, in mm, below which the distance counts as 0 and is not reported
 
 Interval common(Interval a, double from) { return {std::max(a.first, from), a.last}; }
 
@@ -65,7 +66,7 @@ class FreeSpace {
       near_.push_back(tolerance_);
       if (free.last < 1) break;
     }
-    // Both paths are at the same position, so this position is reachable; only rounding errors hide it.
+    // Both paths start at the same position, so this position is reachable. An empty column is due to rounding errors only.
     if (column_.empty()) column_.push_back({0, 0}), near_.push_back(tolerance_);
   }
 

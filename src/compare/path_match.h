@@ -8,7 +8,8 @@
 namespace kadr {
 
 struct PathMatch {
-  // True if one path has ended or its state changes; false if the paths separate at the present positions of the cursors.
+  // True if the paths stayed together until one of them ended or its state changed; false if they separate at the present positions of the
+  // cursors.
   bool together = true;
   double reach = 0;     // greatest distance of a point of either path from the start of its path, mm
   double greatest = 0;  // greatest distance between the paths that no matching can avoid, measured at the vertices of both, mm

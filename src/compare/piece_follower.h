@@ -17,10 +17,10 @@ class PieceFollower {
 
   /// Sets the type (ComparedPiece::Part) and the difference that all segments get until end() is called.
   void begin(ComparedPiece::Part part, std::size_t number, double distance = 0);
-  /// Like begin(), but the segments belong to the difference only if they lead farther than the tolerance from the position `here`. The
-  /// segments are stored and not sent until this is known.
+  /// Starts a difference whose segments may still turn out to be common. The segments are stored and not sent until this is known. They
+  /// belong to the difference only if they lead farther than the tolerance from the position `here`.
   void begin_waiting(std::size_t number, const Axes& here);
-  ///   counts  true: segments that are stored and not sent yet belong to the difference
+  /// Ends what begin() or begin_waiting() started. If `counts` is true, segments that are stored and not sent yet belong to the difference.
   void end(bool counts = true);
 
   void take(const CourseItem& item, const Axes& from, const Axes& to, bool of_b);

@@ -38,7 +38,7 @@ std::string with_unit(std::string_view text, Lang lang) {
 /// Formats an argument of an alarm. A number is rounded to 0.001, which is precise enough in a shop; a number below 0.01 gets six decimals.
 std::string text_of(const AlarmArg& arg, Lang lang) {
   if (!arg.is_number()) return with_unit(arg.text(), lang);
-  // The value NaN stands for a macro variable that is vacant
+  // The value NaN stands for a macro variable that is vacant, so the word "vacant" is printed instead of a number
   if (std::isnan(arg.number())) return plain_text(texts::alarm_units::vacant, lang);
   return number_text(arg.number(), std::fabs(arg.number()) >= 0.01 ? 3 : 6);
 }
@@ -66,8 +66,8 @@ const std::string& in(const Text& text, Lang lang) {
   return !own.empty() ? own : lang == Lang::ru ? text.en : text.ru;
 }
 
-/// Returns the member of the row that stores the key; nullptr if no member does. The key `args` is never looked up, because its value is
-/// not a text.
+/// Returns the member of AlarmText that stores the text of a key, such as "hint_en"; nullptr for any other key. The key `args` is never
+/// looked up, because its value is not a text.
 std::string* place_of(AlarmText& row, std::string_view key) {
   if (key == "en") return &row.text.en;
   if (key == "ru") return &row.text.ru;

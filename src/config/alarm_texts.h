@@ -14,7 +14,7 @@ enum class Lang : std::uint8_t { en, ru };
 
 class AlarmTexts {
  public:
-  /// Creates an object without texts, which prints only ids and arguments.
+  /// Creates an object without texts. For every alarm, such an object returns only the id and the arguments.
   AlarmTexts() : rows_(static_cast<std::size_t>(AlarmId::count) + 1) {}
 
   /// Loads the common texts, then replaces those for which `def.alarms` has other texts. With nullptr, loads the common texts only.
@@ -35,7 +35,8 @@ class AlarmTexts {
 
   /// Returns the number that the control itself gives this alarm; empty if it gives none.
   const std::string& number(AlarmId id) const { return row(id).number; }
-  /// Like number(AlarmId), for one alarm. An alarm that the program itself raises (#3000) has the number that the program states.
+  /// Returns the number of an alarm that a program has caused. An alarm that the program itself raises (#3000) has the number that the
+  /// program states; any other alarm has the number that the control gives it.
   std::string number(const Alarm& alarm) const;
 
  private:

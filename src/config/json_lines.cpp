@@ -125,7 +125,8 @@ tl::expected<JsonLines, JsonFault> json_with_lines(std::string_view text) {
     constexpr PlainText too_deep = texts::json_lines::too_deep;
     return tl::unexpected(JsonFault{line, plain_text(too_deep, Lang::en), plain_text(too_deep, Lang::ru)});
   } catch (const Json::exception& error) {
-    // The text has a prefix, for example "[json.exception.parse_error.101] parse error at line 1, column 2: …"
+    // The library's message starts with a prefix such as "[json.exception.parse_error.101] parse error at line 1, column 2: ", which is
+    // removed
     std::string_view what = error.what();
     if (const std::size_t bracket = what.find("] "); bracket != std::string_view::npos) what.remove_prefix(bracket + 2);
     if (const std::size_t colon = what.find(": "); what.starts_with("parse error at") && colon != std::string_view::npos)

@@ -22,7 +22,8 @@ struct JsonFault {
   std::string en, ru;
 };
 
-/// law  value equals nlohmann::json::parse(text) if the text is JSON, nested no deeper than 64
+/// Parses JSON; the result also contains the line number of each key.
+///   law  the parsed value equals nlohmann::json::parse(text) if the text is JSON, nested no deeper than 64
 tl::expected<JsonLines, JsonFault> json_with_lines(std::string_view text);
 
 /// Joins "offsets" and "1" to "offsets.1".

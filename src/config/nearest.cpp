@@ -26,7 +26,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known) {
-  constexpr std::size_t longest = 64;  // longer names are not compared, because no known name is so long
+  constexpr std::size_t longest = 64;  // greatest length of a name that is compared; no known name is longer
   if (name.size() > longest) return std::nullopt;
   const auto begins_alike = [&](const std::string& one) { return !name.empty() && !one.empty() && to_lower(name[0]) == to_lower(one[0]); };
   const std::string* best = nullptr;

@@ -21,8 +21,8 @@ toml::table unpacked(std::string_view bytes);
 /// Returns the texts of the list under `key` without unpacking the rest; empty if there is no such list.
 std::vector<std::string> texts_of_list(std::string_view bytes, std::string_view key);
 
-/// For a table of tables: calls `take` for each text, with the key of its table and its own key, without creating tables. The texts refer
-/// to memory of `bytes`.
+/// Calls `take` for each text in a table whose values are tables, without unpacking these tables. `table` is the key of the inner table,
+/// `key` the key of the text in it. The texts refer to memory of `bytes`.
 void each_text(std::string_view bytes,
                const std::function<void(std::string_view table, std::string_view key, std::string_view text)>& take);
 

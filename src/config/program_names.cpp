@@ -18,7 +18,8 @@ constexpr std::string_view program_endings[] = {"nc",  "ngc", "tap", "txt", "iso
 
 /// Returns the ending of a file name without the dot, in lower case; empty if the name has no ending.
 std::string ending_of(std::string_view name) {
-  name = name.substr(name.find_last_of('/') + 1);  // if the name has no '/', npos + 1 is 0, and the whole name remains
+  // Removes the folders; if the name has no '/', npos + 1 is 0, so the whole name remains
+  name = name.substr(name.find_last_of('/') + 1);
   const std::size_t dot = name.rfind('.');
   std::string ending(dot == std::string_view::npos || dot == 0 ? std::string_view() : name.substr(dot + 1));
   std::transform(ending.begin(), ending.end(), ending.begin(), to_lower);

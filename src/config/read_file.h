@@ -24,7 +24,8 @@ std::string errno_message(int error);
 /// Reads the bytes of a file.
 ///   most     greatest size in bytes; a larger file is rejected without being read
 ///   returns  on failure, an error sentence with the file's name: no file, a directory, a device or a pipe (which would block or never
-///            end), no permission, too long, not reachable through the door
+///            end), no permission, too long, or not permitted by `door`
+///   door     opens the file; nullptr: the file is opened in the file system directly
 tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most = limits::config_file_bytes,
                                                  const FileAccess* door = nullptr);
 
@@ -35,7 +36,8 @@ std::string no_text_message(std::string_view text, const std::string& file);
 /// Returns the location as the beginning of a message: "file:line:column: "; without a file, "line 3, column 5: ".
 std::string location_prefix(const std::string& file, std::size_t line, std::size_t column);
 
-/// Returns the same beginning of a message, for the byte at the offset `at` of `text`. Columns are counted in characters of UTF-8.
+/// Returns the location of the byte at the offset `at` of `text`, as the beginning of a message: "file:line:column: ". Columns are counted
+/// in characters of UTF-8.
 std::string location_prefix(const std::string& file, std::string_view text, std::size_t at);
 
 }  // namespace kadr

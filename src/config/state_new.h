@@ -14,8 +14,9 @@ namespace kadr::state {
 ///   returns  on failure, an error sentence: the name exists already, or the file cannot be written
 Done make_state(const std::string& path, const std::string& control, const std::vector<StateRow>& rows);
 
-/// Binds a row to the statement put_row as the next turn of `whole` (a turn is one write of a row, see state_content.h). `sum` is the
-/// checksum of the row's value. The totals in `whole` must include the row already. The row must exist until the statement is reset.
+/// Prepares the SQL statement `put` to write a row of the state file. This counts as the next turn (a turn is one write of a row, see
+/// state_content.h). `sum` is the checksum of the row's value. The totals in `whole` must include the row already. The row must exist until
+/// the statement is reset.
 void bind_row(sqlite3_stmt* put, const StateRow& row, std::uint64_t sum, Whole& whole);
 
 }  // namespace kadr::state

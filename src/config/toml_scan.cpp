@@ -85,7 +85,7 @@ class TomlScan {
   std::string_view text_;
   const std::string& file_;
   std::size_t at_ = 0, depth_ = 0, parts_ = 1, values_ = 0;
-  bool begins_ = true;  // the scan is at the start of a line, after blanks at most
+  bool begins_ = true;  // true while the scan has met nothing but blanks since the start of the line
   std::string fault_;
 };
 

@@ -10,7 +10,7 @@ namespace kadr {
 
 std::optional<Axes> Chain::inverse(const Pose& pose, const Axes& near) const {
   const Vec3 d = pose.direction;
-  constexpr double same_direction = 1e-12;  // a direction that differs from Z by a smaller angle, in radians, counts as parallel to Z
+  constexpr double same_direction = 1e-12;  // greatest angle, in radians, between Z and a direction that counts as parallel to Z
   if (!(d.z > 0) || std::hypot(d.x, d.y) > same_direction) return std::nullopt;
   Axes axes = near;
   const double tip[] = {pose.tip.x, pose.tip.y, pose.tip.z};

@@ -10,7 +10,8 @@ namespace kadr {
 namespace {
 
 constexpr double turn = 360;
-// Two unit vectors whose difference is less count as parallel: the tool direction and a rotary axis (nct 25a 5.1)
+// Greatest difference of two unit vectors, the tool direction and the direction of a rotary axis, that still counts as parallel (nct 25a
+// 5.1)
 constexpr double singular = 1e-6;
 constexpr double tie = 1e-4;  // two angles that differ by less than this number of degrees count as equal (nct 25g 3)
 
@@ -113,7 +114,8 @@ Vec3 FiveAxis::point_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) cons
 Vec3 FiveAxis::point_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const { return point_on_machine(zero, point, at); }
 
 RotarySolutions FiveAxis::solutions(Vec3 target, RotaryPair zero) const {
-  const Vec3 t = table_turn({}, zero) * target;  // the wanted direction in the orientation that the part has with the tables at 0
+  // Programmed direction of the tool, expressed in the orientation that the part has with the tables at 0
+  const Vec3 t = table_turn({}, zero) * target;
   RotarySolutions all;
   const auto take = [&](const Angles& found, bool x_is_first, double x_sign) {
     all.count = found.count;
@@ -138,9 +140,10 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 target, RotaryPair present, Rota
   const RotarySolutions all = solutions(target, zero);
   struct Candidate {
     RotaryPair at;
-    // Results of the selection rules, in their order; the first result that differs decides: the smaller one wins
+    // Results of the selection rules for this pair of rotary positions, in the order of the rules. The first result that differs between
+    // two pairs decides: the pair with the smaller result is selected.
     std::array<double, 4> rank;
-    double primary;  // position of the primary axis, not yet moved into its limits
+    double primary;  // position of the primary axis, before it is moved into the limits of the axis
   };
   std::optional<Candidate> best;
   const bool table_first = group == MachineGroup::head_table;

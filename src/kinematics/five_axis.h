@@ -34,8 +34,10 @@ struct RotaryPair {
 struct RotarySolutions {
   int count = 0;  // number of valid elements of `pairs`; 0: no rotary positions give the direction
   std::array<RotaryPair, 2> pairs;
-  bool first_free = false;   // the direction is singular: the first axis does not change it; `pairs` contains 0 for that axis
-  bool second_free = false;  // the direction is singular in the same way for the second axis
+  // True if the direction is singular: the first rotary axis does not change it; `pairs` contains 0 for that axis
+  bool first_free = false;
+  // True if the direction is singular because the second rotary axis does not change it; `pairs` contains 0 for that axis
+  bool second_free = false;
 };
 
 struct FiveAxis {
@@ -53,9 +55,9 @@ struct FiveAxis {
   bool second_on_table() const { return group == MachineGroup::table_table || group == MachineGroup::head_table; }
   bool has_table() const { return second_on_table(); }
   bool has_head() const { return group == MachineGroup::head_head || group == MachineGroup::head_table; }
-  // R1: rotation matrix of the first joint at this position
+  // R1: rotation matrix of the first joint when it is at the position `at`, degrees
   Mat3 first_turn(double at) const { return Mat3::about(first.direction, first.sense * at); }
-  // R2: rotation matrix of the second joint at this position
+  // R2: rotation matrix of the second joint when it is at the position `at`, degrees
   Mat3 second_turn(double at) const { return Mat3::about(second.direction, second.sense * at); }
 
   /// Returns the rotation of the tool that the head's rotary axes cause.

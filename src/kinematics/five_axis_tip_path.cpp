@@ -53,7 +53,8 @@ DirectionPath::DirectionPath(const FiveAxisTransform& space, RotaryPair start, V
     const bool upright_from = std::sin(inclination_from_) < at_pole, upright_to = std::sin(inclination_to_) < at_pole;
     angle_from_ = upright_from ? about(to) : about(from);
     const double end = upright_to ? angle_from_ : about(to);
-    // Angle that the arc sweeps; turn_ becomes the equivalent rotation nearest to this angle
+    // Angle that the arc sweeps, in radians. Of all equivalent rotations of the tool about the cone's axis, turn_ becomes the one nearest
+    // to this angle
     const double sweep = cone_->sweep * rad_per_deg;
     turn_ = upright_from && upright_to ? 0 : sweep + std::remainder(end - angle_from_ - sweep, 2 * pi);
     if (upright_from || upright_to) turn_ = 0;
@@ -68,7 +69,7 @@ DirectionPath::DirectionPath(const FiveAxisTransform& space, RotaryPair start, V
     }
   }
   const auto first = machine_.solutions(direction(0), zero_);
-  // At a pole the two solutions are equal, so a direction just after the pole is compared
+  // At a pole (singular direction) the two rotary solutions are equal, so the solutions are compared for a direction just after the pole
   const double look = first.first_free || first.second_free ? just_off : 0;
   const RotarySolutions then = machine_.solutions(direction(look), zero_);
   if (then.count == 2 && off(then.pairs[1], start_) < off(then.pairs[0], start_)) branch_ = 1;
@@ -86,7 +87,7 @@ std::optional<RotaryPair> DirectionPath::on_branch(double part, RotaryPair near,
   RotaryPair pair = all.pairs[all.count == 2 ? static_cast<std::size_t>((branch_ + swaps) % 2) : 0];
   if (all.first_free) pair.first = start_.first;
   if (all.second_free) pair.second = start_.second;
-  // At a pole at the end, the free axis is where it was just before the pole
+  // If the motion ends at a pole (singular direction), the free rotary axis stays where it was just before the pole
   if ((all.first_free || all.second_free) && !at_end && part > just_off)
     if (const auto before = on_branch(part - just_off, near, swaps, true); before) {
       if (all.first_free) pair.first = before->first;

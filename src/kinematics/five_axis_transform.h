@@ -24,12 +24,12 @@ struct FiveAxisTransformData {
   Vec3 shift;           // S: shift by G52, G92 since the frame was set
   Vec3 length;          // vector of the tool length, from the tip, with both rotary axes at 0
   bool has_frame = false;
-  bool follows_table = false;  // the work origin and the axis directions rotate with the table
-  bool moves_origin = false;   // only the work origin, not the axis directions, rotates with the table (G54.2)
-  bool follows_head = false;   // the vector of the tool length tilts with the head
-  bool controls_tip = false;   // tool centre point control: the tip follows the path at every point of a motion (G43.4)
-  bool keeps_linear = false;   // X, Y, Z do not move in a motion that programs only rotary axes (N3212 FOS)
-  bool corrects = false;       // the basic rotation tilts the tool too (N3212 BSE), because both rotary axes have been positioned
+  bool follows_table = false;  // true if the work origin and the axis directions rotate with the table
+  bool moves_origin = false;   // true if only the work origin, not the axis directions, rotates with the table (G54.2)
+  bool follows_head = false;   // true if the vector of the tool length tilts with the head
+  bool controls_tip = false;   // true under tool centre point control (G43.4): the tip follows the path at every point of a motion
+  bool keeps_linear = false;   // true if X, Y, Z do not move in a motion that programs only rotary axes (N3212 FOS)
+  bool corrects = false;       // true if the basic rotation tilts the tool too (N3212 BSE), because both rotary axes have been positioned
   // Rotary positions that the computation uses instead of the actual positions (G53.1); nullopt: the actual ones
   std::optional<RotaryPair> fixed;
   friend bool operator==(const FiveAxisTransformData&, const FiveAxisTransformData&) = default;

@@ -74,7 +74,8 @@ Travel MachineLinks::travel(std::size_t link, std::size_t from, const BodyBall& 
 }
 
 std::size_t MachineLinks::carrier(std::size_t a, std::size_t b) const {
-  // Each link has a greater number than the link that carries it, so the greater number moves towards the bed
+  // Finds the common carrier. A link has a greater number than the link that carries it, so the link with the greater number is replaced by
+  // its carrier
   while (a != b) (a > b ? a : b) = links_[a > b ? a : b].carried_by;
   return a;
 }

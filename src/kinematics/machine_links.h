@@ -2,6 +2,7 @@
 // MachineLinks: the moving links of a machine, and upper bounds of the links' motion. A link is the machine bed, or the component that one
 // axis moves; each link carries the next link of its chain. MachineTree defines the order of the chains. Units: mm, degrees.
 //
+// Example of two chains from the bed:
 //   bed ── X ── Z        tool chain: links 1, 2
 //    └──── Y ── A ── C   part chain: links 3, 4, 5
 

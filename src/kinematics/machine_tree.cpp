@@ -24,7 +24,7 @@ std::optional<Vec3> solved(const Mat3& m, Vec3 b, double least) {
   return 1 / whole * Vec3{dot(b, cross(y, z)), dot(x, cross(b, z)), dot(x, cross(y, b))};
 }
 
-/// Returns the sum of the matrices v·vᵀ.
+/// Returns the sum of the matrices v·vᵀ for the vectors v of the list.
 Mat3 sum_of_squares(const std::vector<Vec3>& all) {
   Mat3 sum{{Vec3{}, Vec3{}, Vec3{}}};
   for (const Vec3& v : all) {

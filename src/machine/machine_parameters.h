@@ -17,9 +17,9 @@ struct MachineParameters {
   AxisMask zone3_axes = 0;         // N1000 #2 RE3: axes that zone 3 limits
   Axes zone2_most{};               // N1006: upper limits of zone 2, machine coordinates
   Axes zone2_least{};              // N1007: lower limits of zone 2, machine coordinates
-  bool outside_forbidden = false;  // N1001 #0 EXT: the outside of zone 2 is forbidden; false: the inside
-  bool zone2_on = false;           // N1001 #1 STE: zone 2 is active
-  bool checks_before = false;      // N1001 #2 CBM: motions are checked before they start
+  bool outside_forbidden = false;  // N1001 #0 EXT: true if the outside of zone 2 is forbidden; false if its inside is forbidden
+  bool zone2_on = false;           // N1001 #1 STE: true if zone 2 is active
+  bool checks_before = false;      // N1001 #2 CBM: true if motions are checked before they start
   Axes in_position{};              // N0516 Inpos: greatest deviation from the commanded position that counts as in position, mm or degrees
   AxisMask gantry = 0;             // N2102 #4 PSN: slave drives of gantry axes, which follow their master's drive
   std::array<std::size_t, max_axes> gantry_master{};  // N2101: index of the master axis of each gantry axis

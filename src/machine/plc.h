@@ -2,7 +2,8 @@
 // Plc: the machine's logic and its operator, scripted by the events of a set-up (tests/golden/README.md, "Events"). The input is blocks,
 // actions and the end of the program. The output is commands, which apply() passes to the controls of the channels.
 //
-//   block start ─▶ execution of the block ─▶ its actions ─▶ block end ─▶ next block     (a command takes effect immediately)
+// Order in which the input arrives; a command takes effect immediately:
+//   block start ─▶ execution of the block ─▶ actions of the block ─▶ block end ─▶ next block
 
 #include <string>
 #include <variant>

@@ -64,7 +64,7 @@ std::optional<double> wall(const BallCentrePath& path) {
   const double root_sq = b * b - a * c;
   if (root_sq < 0) return std::nullopt;
   const double root = std::sqrt(root_sq);
-  // Of two equivalent formulas, the code uses the one without cancellation of digits
+  // The root has two equivalent formulas; for each sign of b, the code uses the one that does not subtract nearly equal numbers
   const double part = b > 0 ? -c / (b + root) : (root - b) / a;
   if (!(part >= -tol::same_point / std::sqrt(a) && part <= 1)) return std::nullopt;
   const double z = path.at(part).z;

@@ -1,10 +1,12 @@
 #pragma once
 // Computes the point of a straight path at which a touch probe triggers: at switch positions from the set-up, or at a solid workpiece with
-// one drilled hole.
+// one drilled hole. At the workpiece, the contact decides where the centre of the probe's ball (radius r) is: on the top face at the height
+// top + r; on the wall at the distance R − r from the axis of the hole (radius R); on the bottom at the height top − depth + r; on the rim
+// (top edge of the hole) at the distance r from the rim. Section through the hole:
 //
-//        top ─────┐   r  ┌─────     The centre of the probe's ball (radius r) is, when the ball touches:
-//                 │ ╭──╮ │            the top face: at top + r; the wall: at distance R − r from the axis of the hole (radius R);
-//                 │ ╰──╯ │            the bottom: at top − depth + r; the rim (top edge of the hole): at distance r from it.
+//        top ─────┐   r  ┌─────
+//                 │ ╭──╮ │
+//                 │ ╰──╯ │
 //   top − depth   └──────┘
 
 #include <optional>

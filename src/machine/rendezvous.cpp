@@ -25,7 +25,7 @@ std::optional<Rendezvous::Met> Rendezvous::next() {
       met.at = std::max(met.at, w.at);
     }
     if (missing != 0) continue;
-    // Ends the wait of the channel; this makes the iterator `first` invalid
+    // leave() ends the wait of each channel that has met. It also makes the iterator `first` invalid
     for (const std::uint8_t channel : met.channels) leave(channel);
     return met;
   }

@@ -15,7 +15,7 @@
 namespace kadr {
 namespace {
 
-/// Returns false if both values are ±1e300, which means in AxisProfile that there is no limit.
+/// Returns false if the axis has no limits: AxisProfile states this by the values -1e300 and 1e300.
 bool is_limit(double least, double most) {
   constexpr double none = 1e299;
   return least > -none || most < none;
@@ -128,7 +128,7 @@ Status VirtualMachine::take(const Action& action) {
 }
 
 VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows, const OnTouch& on_touch) {
-  // Number of actions from earlier blocks; take() joins short motions (path/smooth)
+  // Number of actions that belong to earlier blocks: short motions are stored so that they can be joined with later ones (path/smooth)
   const std::size_t of_before = compression_.take(batch, position_.work, follows == Follows::nothing);
   ToolPosition before = position_;
   Outcome outcome;
@@ -147,7 +147,8 @@ VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows
   }
   if (!outcome.refused) return outcome;
   if (outcome.done >= of_before) position_ = before;
-  outcome.done = std::min(outcome.done, of_before);  // executed actions of earlier blocks remain executed
+  // Actions of the refused block do not count as executed, but those of earlier blocks do
+  outcome.done = std::min(outcome.done, of_before);
   compression_.drop();
   return outcome;
 }

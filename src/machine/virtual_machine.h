@@ -20,7 +20,7 @@ class VirtualMachine {
   VirtualMachine(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const Setup& setup,
                  const ToolPosition& start);
 
-  /// Sets the limits of an axis, in machine coordinates. For an axis whose limits neither the set-up nor the machine file states.
+  /// Sets the limits of an axis, in machine coordinates. Has no effect on an axis whose limits the set-up or the machine file states.
   void limit(std::size_t axis, double least, double most);
 
   /// Makes this object a machine with an NCT control, whose parameters define zones and in-position windows (nct 4.1.1, 22).
@@ -82,7 +82,7 @@ class VirtualMachine {
   /// Exchanges an axis with an axis of another channel's machine: each axis keeps its name, its limits and its position.
   void exchange(std::size_t axis, VirtualMachine& with, std::size_t other);
 
-  /// The state that the next batch needs from this one.
+  /// The state of the machine between two batches of actions.
   struct Memory {
     ToolPosition position;
     AxisMask missing = 0;
@@ -113,8 +113,8 @@ class VirtualMachine {
   AxisMask never_in_position_ = 0;  // axes whose position error in the set-up exceeds the permitted error
   AxisMask missing_ = 0;            // axes that did not reach their position in the last motion
   std::optional<Alarm> apart_;      // alarm that the two drives of a gantry axis are farther apart than permitted
-  AxisMask gantry_ = 0;             // the gantry axis that apart_ is about, and its master
-  bool gantry_moved_ = false;       // the last motion moved a gantry axis
+  AxisMask gantry_ = 0;             // the gantry axis whose drives are too far apart (see apart_), and its master axis
+  bool gantry_moved_ = false;       // true if the last motion moved a gantry axis
   Probe probe_;
   Compression compression_;
   ToolPosition position_;

@@ -119,7 +119,7 @@ Status Zones::before_start(const MachinePath& path, const Axes& end) const {
   KADR_TRY(end_within(ends_, end, {AlarmId::zone1_positive, AlarmId::zone1_negative}));
   if (outside2()) {
     KADR_TRY(end_within(zone2_.box, end, {AlarmId::zone2_positive, AlarmId::zone2_negative}));
-    if (zone2_.nothing_allowed) {  // the box is a single point, which is forbidden too; INFERRED: the alarm names the first axis
+    if (zone2_.nothing_allowed) {  // zone 2 is a single point, and even this point is forbidden; INFERRED: the alarm names the first axis
       const auto axis = static_cast<std::size_t>(__builtin_ctz(zone2_.box.axes));
       return fail(alarm(AlarmId::zone2_positive, {}, std::string_view(names_[axis])));
     }

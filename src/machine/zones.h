@@ -1,10 +1,10 @@
 #pragma once
 // Zones: the regions of an NCT machine that its axes must not enter (nct 22), in machine coordinates after all offsets.
 //
-//   zone 1   limited by the end positions of the axes          forbidden outside
-//   zone 2   working area, from the parameters or from G22     forbidden outside, or inside
-//   zone 3   from the parameters                               forbidden inside
-//   limit switches at the ends of an axis (nct 22.1)           forbidden outside, checked during the motion only
+//   zone 1: limited by the end positions of the axes; its outside is forbidden.
+//   zone 2: working area, from the parameters or from G22; its outside, or its inside, is forbidden.
+//   zone 3: from the parameters; its inside is forbidden.
+//   limit switches at the ends of an axis (nct 22.1): positions beyond them are forbidden; checked during the motion only.
 //
 // With CBM (N1001 #2) the control checks a motion before it starts: first the end point, then whether the path crosses a zone that is
 // forbidden inside. Without CBM, and for a curve whose middle exceeds a limit, the motion runs until it meets a zone, and the alarm names

@@ -32,20 +32,20 @@ struct CodeRow {
   Function function = Function::count;
   Phase phase = Phase::none;
   int arg = 0;
-  std::uint8_t group = 0;          // index in ControlDef::groups; 0: no group, so a block may have any number of such codes
-  bool modal = false;              // true if the code stays in force until another code of its group; its group is modal
-  bool own_block = false;          // the code must be alone in its block, apart from the words that it uses (`takes`)
-  bool needs_axis = false;         // the block must have at least one axis word
-  std::uint64_t takes = 0;         // letters (one bit each) of the words that the code uses
-  std::uint64_t needs = 0;         // letters (one bit each) of the words that the block must have
-  std::vector<std::int32_t> with;  // codes of the same group, in tenths, that the same block may have (M7 with M8)
+  std::uint8_t group = 0;   // index in ControlDef::groups; 0: the code is in no group, so a block may have several codes without a group
+  bool modal = false;       // true if the code stays in force until another code of the same modal group replaces it
+  bool own_block = false;   // true if a block with this code may have no other code; the words that the code uses (`takes`) are permitted
+  bool needs_axis = false;  // true if a block with this code must have at least one axis word
+  std::uint64_t takes = 0;  // letters (one bit each) of the words that the code uses
+  std::uint64_t needs = 0;  // letters (one bit each) of the words that a block with this code must have
+  std::vector<std::int32_t> with;  // other codes of the same group, in tenths, that may be in the same block as this code (M7 with M8)
   Text text;
   std::string manual;
   std::uint16_t cycle = 0;      // index in ControlDef::cycles plus 1; 0: the code calls no cycle
-  bool takes_all_axes = false;  // the file has `*` in `takes`, which means that the code uses every axis word of the channel
-  bool works = true;            // Kadr implements the code
-  bool in_part = false;         // Kadr implements only a part of the code; the notes say what is missing
-  bool reported = false;        // the control reports the code to the machine although it executes the code itself (nct 13.1)
+  bool takes_all_axes = false;  // true if `takes` is `*` in the control's file: the code uses every axis word of the channel
+  bool works = true;            // true if Kadr implements the code
+  bool in_part = false;         // true if Kadr implements only a part of the code; the notes in the control's file say what is missing
+  bool reported = false;        // true if the control reports the code to the machine although it executes the code itself (nct 13.1)
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -59,8 +59,8 @@ struct AddressRow {
   std::uint8_t number = 0;  // number of the spindle or of the auxiliary function (1 to 3) that the word commands
   WordUnit unit = WordUnit::none;
   double scale = 1;       // factor that converts the word's value to mm, degrees, s, …
-  bool whole = false;     // the value must be a whole number
-  double least = -1e300;  // a value outside least…most raises value_out_of_range
+  bool whole = false;     // true if the value of the word must be a whole number
+  double least = -1e300;  // least permitted value of the word; a value outside least…most raises the alarm value_out_of_range
   double most = 1e300;
   Text text;
   std::string manual;
@@ -70,7 +70,7 @@ struct AddressRow {
 struct GroupRow {
   std::string name;
   bool modal = true;
-  std::int32_t power_on = -1;  // row of the group's code that is in force at power-on; -1: no code is
+  std::int32_t power_on = -1;  // index of the row of the group's code that is in force at power-on; -1: no code of the group is in force
   Text text;
 };
 
@@ -87,11 +87,11 @@ enum class CycleStep : std::uint8_t {
   orient,
   stop,
   peck_full,
-  peck_break,  // like peck_full, but the tool retracts only a little between the pecks
+  peck_break,  // pecks to the bottom; between the pecks the tool retracts only a little, where with peck_full it retracts to the R level
   shift_out,
   shift_back,
-  feed_face,            // G87: moves by I, J in the plane and back, and feeds up to K
-  passes_by_parameter,  // L83 of the 2С42: R1, R2, R3 set the depths of the pecks
+  feed_face,            // G87: feeds along the drilling axis to the level that K states
+  passes_by_parameter,  // L83 of the 2С42: drills in pecks whose depths are in the parameters R1, R2, R3
   count
 };
 
@@ -101,16 +101,20 @@ struct CycleRow {
   std::string name;               // name of the cycle: "G81", "L81"
   std::uint32_t call_number = 0;  // number after L in the call: 81 for L81; 0: the cycle is called by its code
   std::vector<CycleStep> steps;   // steps of the cycle; empty if the cycle has a `body`
-  std::string body;               // program of the cycle in the control's own language; empty if the cycle has `steps`
-  std::string printed;            // only for a cycle of steps: the program that the manual prints for the cycle, for people
-  // For a permanent subprogram: address letter of a word, and number of the formal parameter that it sets
+  std::string body;               // program of the cycle, as text in the form that the control reads; empty if the cycle has `steps`
+  std::string printed;            // program that the manual prints for the cycle, for people to read; only for a cycle that has `steps`
+  // For a cycle that is a permanent subprogram of the control: address letter of a word in the call, and number of the formal parameter
+  // that this word sets
   std::vector<std::pair<char, int>> parameters;
-  std::uint64_t needs = 0;  // letters (one bit each) of words that the block must state or that must be modal
-  // Words of `needs` (R, Q) that the manual's own example omits. If they are missing, Kadr reports a warning instead of an alarm.
+  // Letters (one bit each) of the words that a call of the cycle needs, in its block or modal from an earlier block
+  std::uint64_t needs = 0;
+  // Words that the cycle needs (R, Q) but that the manual omits in its own example. If one of them is missing, Kadr reports a warning
+  // instead of an alarm.
   std::uint64_t left_out = 0;
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
-  bool needs_override_off = false;  // the overrides must be switched off (G23): L84 of the 2С42
+  // True if a call of the cycle requires that the overrides are switched off (G23), as L84 of the 2С42 does
+  bool needs_override_off = false;
   Text text;
   std::string manual;
 };
@@ -159,15 +163,17 @@ inline bool is_clock(VariableKind kind) {
 }
 struct VariableRow {
   VariableKind kind = VariableKind::free;
-  // Numbers of the variable: first the short ones, then the long ones; `symbol` refers to the last range
+  // Numbers of the system variable. Some data have two ranges of numbers: the short numbers are first, then the long ones. The name in
+  // `symbol` refers to the last range.
   std::vector<VariableRange> ranges;
-  std::string symbol;             // name without #_ and index: "ABSIO" for #_ABSIO[n]; for a family (#_WZP7[n]) "WZP"
+  std::string symbol;  // name of the system variable without #_ and index: "ABSIO" for #_ABSIO[n]; for a family (#_WZP7[n]) "WZP"
   std::uint32_t first_index = 1;  // index n (of #_ABSIO[n]) that belongs to the variable's first number
-  int arg = 0;   // distinguishes variables of the same kind; comments at [[variables]] in controls/nct.toml explain the values
+  // Number that distinguishes system variables of the same kind; comments at [[variables]] in controls/nct.toml explain its values
+  int arg = 0;
   int bit = -1;  // number of the bit if the row is one bit of the variable `of`; -1: the row is a whole variable
   std::uint32_t of = 0;
   bool read = true, write = true;
-  bool works = true;  // Kadr implements the variable
+  bool works = true;  // true if Kadr implements the variable
   Text text;
   std::string manual;
 };
@@ -178,16 +184,17 @@ enum class ParameterClass : std::uint8_t { run_time, restart, emergency };
 
 /// A parameter of the control (nct 24).
 struct ParameterRow {
-  std::string name;  // number as text: "0107"; "CLRG" if the manual gives no number
+  std::string name;  // number of the parameter as text: "0107"; if the manual gives no number, the name: "CLRG"
   std::int32_t number = -1;
   ParameterScope scope = ParameterScope::channel;
   ParameterType type = ParameterType::real;
   ParameterClass when = ParameterClass::run_time;
   double least = -1e300, most = 1e300;
   double initial = 0;
-  // Names of the bits, by bit number; "": unknown name; from the ninth on, names whose bit number is unknown
+  // Names of the parameter's bits, by bit number; "" if the name of a bit is unknown. From the ninth element on: names of bits whose
+  // numbers are unknown.
   std::vector<std::string> bits;
-  bool used = false;  // the parameter has an effect in Kadr
+  bool used = false;  // true if the parameter has an effect in Kadr
   // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"). A parameter of bits has one name per bit.
   std::vector<std::string> means;
   Text text;  // name and meaning of the parameter; `en` begins with the manual's own name
@@ -222,49 +229,58 @@ struct Behaviour {
   ArcCenters arc_centers = ArcCenters::incremental;
   ArcRadius arc_radius_word = ArcRadius::none;
   double arc_radius_difference = 0.01;  // greatest difference of an arc's radii at start and end, mm
-  double arc_difference_inch = 0;       // the same limit, in mm, for programs in inches (G20); 0: arc_radius_difference applies
+  // Greatest difference of an arc's radii at start and end, in mm, for programs in inches (G20); 0: as for programs in mm
+  double arc_difference_inch = 0;
   // True: on an arc with changing radius, the angle advances evenly (nct 4.3). False: the length of its path advances evenly.
   bool arc_angle_even = false;
   LengthOffset length_offset = LengthOffset::next_motion;
   CompensationEntry compensation_entry = CompensationEntry::normal;
-  // In a rapid, each axis moves at its own rate. Used if the control has no parameter that decides this (config/machine/rapid_path.h).
+  // True if each axis moves at its own rate in a rapid. Used if the control has no parameter that decides this
+  // (config/machine/rapid_path.h).
   bool rapids_apart = false;
-  bool feed_required = true;  // a feed motion before any F word is an alarm; if false, a warning (F0 is always an alarm)
+  bool feed_required = true;  // true if a feed motion before any F word is an alarm; if false, it is a warning (F0 is always an alarm)
   double result_most = 0;     // greatest absolute value that may be assigned to a variable (spec/fanuc 5.3); 0: no limit
   // Values of the machine. If the control has a parameter for a value (named in `as` of its table), the parameter takes precedence; a value
   // of the set-up takes precedence over both (config/machine/machine_axes).
   double feed_most = 0;                // greatest feed, mm/min; 0: no limit
-  double reference_feed = 2000;        // feed of G25 of the 2С42, mm/min
+  double reference_feed = 2000;        // feed, in mm/min, that G25 of the 2С42 uses
   double return_chip_break = 1;        // distance by which G73 retracts to break the chip, mm
   double return_near = 1;              // distance above the previous bottom of the hole at which the rapid of G83 ends, mm
   double probe_least_distance = 0;     // least distance of a probe motion, mm
   double probe_retract = 0;            // distance by which the probe retracts along its path after contact, mm (Mach3 10.7.12.1)
-  bool probe_in_inverse_time = false;  // Grbl: under G93, F of G38 is the time of the whole path
-  bool speed_needs_direction = false;  // 2С42: S in a block without M3 or M4 does not change the speed
-  bool skip_asks = false;              // the set-up may state that the control asks the operator before it skips a block (spec/gost 2)
-  bool tool_and_corrector = false;     // T0404: if T has more than two digits, its last two digits are the offset number
-  bool end_required = false;           // Kadr warns if a program has no M2 or M30
-  bool ends_reading = true;            // the control reads nothing after the end of the program (GOST)
-  bool delayed_assignment = false;     // Mach3: an assignment takes effect after its block: in `#1=5 X#1`, X is the old #1
-  bool feed_of_axis = false;     // F directly after an axis word, and before further axis words, is the feed of that axis (GOST 20999-83)
-  bool label_is_number = false;  // O0001 directly after % is the program number (spec/gost 1)
-  // The members from here on concern controls with custom macros (spec/fanuc).
+  bool probe_in_inverse_time = false;  // true on Grbl: under G93, the F word of a probe motion (G38) states the time of its whole path
+  bool speed_needs_direction = false;  // true on the 2С42: an S word in a block without M3 or M4 does not change the speed
+  bool skip_asks = false;  // true if the set-up may state that the control asks the operator before it skips a block (spec/gost 2)
+  // True if the last two digits of a T word with more than two digits are the offset number, as in T0404
+  bool tool_and_corrector = false;
+  bool end_required = false;  // true if Kadr warns of a program without M2 or M30
+  bool ends_reading = true;   // true if the control reads nothing after the end of the program (GOST)
+  // True on Mach3: an assignment takes effect only after its block, so in `#1=5 X#1`, X has the old value of #1
+  bool delayed_assignment = false;
+  // True if an F word directly after an axis word, with further axis words after it, is the feed of that axis (GOST 20999-83)
+  bool feed_of_axis = false;
+  bool label_is_number = false;  // true if O0001 directly after % is the program number (spec/gost 1)
+  // The members from here to the end of the struct are for controls with custom macros (spec/fanuc).
   LaterWord later_word_counts = LaterWord::nowhere;
   CycleWords cycle_words = CycleWords::shift_by_ijk;
   // The unit of P in a dwell. If it is not s, the dwell words X and U are still in s, and G4 alone is an exact stop (spec/fanuc 4.1).
   DwellUnit dwell_unit = DwellUnit::seconds;
-  // In every plane, cycles drill along Z and G43 acts on Z, unless a parameter selects another axis (spec/fanuc 7.1, 10.1).
+  // True if cycles drill along Z and G43 acts on Z in every plane, unless a parameter selects another axis (spec/fanuc 7.1, 10.1).
   bool tool_along_third = false;
-  bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times: P contains repetitions and program number (spec/fanuc 9.1)
-  bool machine_move_absolute = false;      // G53 has no effect under G91 (spec/fanuc 6.5)
-  bool repeats_by_k = false;               // K is the repeat count of a drilling cycle; if false, L (spec/fanuc 10.1)
-  bool reference_all_axes = false;         // G28 without axis words moves all axes directly to the reference point (spec/haas 5.1)
-  bool returns_to_own_block = false;       // M99 P jumps to a block of the program that contains the M99 (spec/haas 3.3)
-  bool repeats_keep_locals = false;        // the arguments of G65 L are set for the first repetition only (spec/haas 3.4)
-  bool words_passed_over = false;          // a word that no code of the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
-  std::uint32_t alarm_base = 4000;         // #3000=n raises alarm number alarm_base + n (spec/fanuc 5.5)
+  // True if P of M98 contains repetitions and program number: M98 P51002 calls O1002 five times (spec/fanuc 9.1)
+  bool repeats_in_program_number = false;
+  bool machine_move_absolute = false;  // true if G53 has no effect under G91 (spec/fanuc 6.5)
+  bool repeats_by_k = false;           // true: the word K is the repeat count of a drilling cycle; false: the word L (spec/fanuc 10.1)
+  bool reference_all_axes = false;     // true if G28 without axis words moves all axes directly to the reference point (spec/haas 5.1)
+  bool returns_to_own_block = false;   // true if M99 P jumps to a block of the program that contains the M99 (spec/haas 3.3)
+  // True if the arguments of a macro call with repetitions (G65 L) are set for the first repetition only (spec/haas 3.4)
+  bool repeats_keep_locals = false;
+  bool words_passed_over = false;  // true if a word that no code of the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
+  // The assignment #3000=n in a program raises the alarm with the number alarm_base + n (spec/fanuc 5.5)
+  std::uint32_t alarm_base = 4000;
   std::uint32_t call_depth = 16;
-  std::uint32_t program_digits = 1;    // number of digits of O in written programs, and in names of called files (spec/haas 1.1)
+  // Number of digits after O in programs that Kadr writes, and in names of called files (spec/haas 1.1)
+  std::uint32_t program_digits = 1;
   std::uint32_t m_codes_of_block = 8;  // greatest number of M codes in one block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
   std::uint32_t offsets = 99;          // highest offset number
   std::uint32_t fixtures = 6;
@@ -299,7 +315,7 @@ struct MachineCodeRow {
 
 struct ControlDef {
   std::string id;
-  std::vector<std::string> aliases;  // further names for --control: "haas-vf"
+  std::vector<std::string> aliases;  // further names of the control that the option --control accepts: "haas-vf"
   Text name;
   std::string spec;                  // the document that describes the control
   std::vector<std::string> lineage;  // ids of the controls that this control extends: "gost"
@@ -310,7 +326,7 @@ struct ControlDef {
   std::vector<std::string> axes;                      // names of the axes, in order
   std::uint32_t rotary = 0;                           // mask of rotary axes
   std::uint32_t diameter = 0;                         // mask of axes programmed as diameters
-  bool diameter_by_setup = false;                     // the set-up states which axes are programmed as diameters (spec/gost 5)
+  bool diameter_by_setup = false;                     // true if the set-up states which axes are programmed as diameters (spec/gost 5)
   std::array<std::uint8_t, max_axes> axis_numbers{};  // numbers of the axes, counted from 1 across all channels of the control (nct 2.1)
   std::uint8_t channel = 1;
   std::vector<GroupRow> groups;  // groups of codes; groups[0] is for codes without group
@@ -335,7 +351,8 @@ struct ControlDef {
   // code.
   std::vector<std::int16_t> g_rows;
   std::vector<std::int16_t> m_rows;
-  std::int32_t m_user_from = -1;  // range of the M codes without rows of their own that go to the machine (free functions, macros M100…)
+  // First code, in tenths, of the M codes that have no rows of their own and go to the machine (such as macros M100…)
+  std::int32_t m_user_from = -1;
   std::int32_t m_user_to = -1;
   std::int32_t m_user_row = -1;
 
@@ -345,7 +362,7 @@ struct ControlDef {
   bool has_clocks() const {
     return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return is_clock(row.kind); });
   }
-  /// Returns true if codes that call and end programs are reported to the machine's logic (nct 13.1).
+  /// Returns true if the control reports the codes that call and end programs (such as M2, M98) to the machine's logic (nct 13.1).
   bool reports_program_ends() const {
     return std::any_of(codes.begin(), codes.end(), [](const CodeRow& row) { return row.reported; });
   }
@@ -357,14 +374,15 @@ struct ControlDef {
     return std::any_of(parameters.begin(), parameters.end(),
                        [&](const ParameterRow& row) { return std::find(row.means.begin(), row.means.end(), meaning) != row.means.end(); });
   }
-  /// Returns true if subprograms are in a section of the program, with a work offset of its own (2С42 6.3.5, last section).
+  /// Returns true if the control has subprograms that are sections of the program's own file. Such a section has a work offset of its own
+  /// (2С42 6.3.5, last section).
   bool has_sections() const { return grammar.section_address != 0; }
-  /// Returns true if the control has a common zero, which shifts all work systems (nct 10.2.3). Otherwise #5201 and G10 L2 P0 refer to G52
-  /// (spec/haas 2.4, 5.4).
+  /// Returns true if the control has a common work offset, which shifts all work systems (nct 10.2.3). On a control without it, #5201 and
+  /// G10 L2 P0 refer to the shift of G52 (spec/haas 2.4, 5.4).
   bool has_common_zero() const {
     return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return row.kind == VariableKind::zero_common; });
   }
-  /// Returns true if the control has axis correctors (spec/correctors).
+  /// Returns true if the control has correctors that shift axes (spec/correctors).
   bool has_correctors() const { return dialect == DialectId::correctors; }
   /// Returns true if words and frames of the control follow RS274/NGC, with parameters in a file (spec/linuxcnc).
   bool has_parameter_file() const { return dialect == DialectId::linuxcnc; }

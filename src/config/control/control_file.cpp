@@ -155,7 +155,7 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   }
   auto under = merged(std::move(*base_table), name, from, below, door);
   if (!under) return under;
-  // These keys name and identify the base control, so they are not inherited
+  // The keys `aliases` and `guess` name and identify the base control only, so a control that extends it does not inherit them
   for (const std::string_view own : {"aliases", "guess"}) under->erase(own);
   if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>())
     forget_sections(*under);
@@ -171,8 +171,8 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   return under;
 }
 
-/// Returns false for files of controls/ that do not describe a control: texts of alarms, languages that Kadr does not read, parameter
-/// tables.
+/// Returns false for files of controls/ that do not describe a control: texts of alarms, program languages that Kadr does not read,
+/// parameter tables.
 bool is_control(std::string_view name) { return name != "alarms" && name != "dialects" && !is_parameter_table(name); }
 
 /// Returns the id of the control with this name: the name itself if it is an id, or the id that the alias belongs to.
@@ -187,7 +187,8 @@ std::string id_meant_by(const std::string& name) {
 
 std::int32_t ControlDef::row_of(char letter, std::int32_t tenth) const {
   const std::vector<std::int16_t>& rows = letter == 'G' ? g_rows : m_rows;
-  const auto at = static_cast<std::size_t>(tenth);  // a negative number becomes an index beyond every row, and is not found
+  // As an unsigned index, a negative code is greater than every row's index, so the function returns -1 for it
+  const auto at = static_cast<std::size_t>(tenth);
   if (at < rows.size() && rows[at] >= 0) return rows[at];
   if (letter == 'M' && m_user_row >= 0 && tenth >= m_user_from && tenth <= m_user_to && tenth % 10 == 0) return m_user_row;
   return -1;

@@ -88,14 +88,15 @@ class ControlLoader {
   Done order();
   /// Returns the phase of a row: its key `phase`, or else the phase of its function. The control's order must list this phase.
   tl::expected<Phase, std::string> phase_of(const toml::table& row, Function function);
-  // ---- the functions of the engine (control_loader_functions.cpp)
+  // Functions of the engine. Their code is in control_loader_functions.cpp.
+
   /// Returns the function in the key `does` of a row, if the engine can execute it on this control. `name_of_row` is used in messages.
   tl::expected<Function, std::string> function_of(const toml::table& row, CalledBy by, const std::string& name_of_row);
   std::string nearest_function(std::string_view name, CalledBy by) const;
   bool has(Needs needs) const;
   Done check_address(char letter, const toml::table& row, const AddressRow& a) const;
   Done check_code(const toml::table& row, const CodeRow& c) const;
-  // ---- settings that need or exclude each other (control_loader_rules.cpp)
+  // Checks of settings that need or exclude each other. Their code is in control_loader_rules.cpp.
   Done check_machine();
   Done check_behaviour();
   Done check_grammar();

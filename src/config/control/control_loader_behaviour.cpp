@@ -32,7 +32,7 @@ constexpr std::pair<std::string_view, std::string_view> gone[] = {
     {"pecks_by_ijk", "cycle_words = \"pecks_by_ijk\""},
     {"drills_third", "tool_along_third"},
     {"length_axis_third", "tool_along_third"},
-    // Keys that are replaced by a row of another table.
+    // Keys of earlier versions that have been replaced. The second text of each pair is the row that has the same effect now.
     {"contour_blocks_checked", "[alarms] compensation_two_blocks = {}"},
     {"zero_change_checked", "[alarms] zero_change = {}"},
     {"reference_outside_cycles", "[alarms] reference_in_cycle = {}"},
@@ -53,7 +53,7 @@ constexpr std::pair<std::string_view, std::string_view> gone[] = {
     {"second_reference_usual", "[g] \"30\" = { needs = \"\" }"},
     {"taps_rigid", "[g] \"84\" = { arg = 842 }"},
     {"common_is_local_shift", "[[variables]] is = \"zero_local\""},
-    // Keys that are replaced by a parameter of the control, whose value is in the set-up.
+    // Keys of earlier versions that a parameter of the control has replaced. The value of this parameter is in the set-up.
     {"arc_difference_free", "N3410"},
     {"arc_without_centre_straight", "N3403#5"},
     {"scale_in_increments", "N5400#7"},
@@ -94,7 +94,8 @@ Done ControlLoader::choices(const toml::table& t) {
   KADR_LOAD(choice(t, "later_word_counts", {"nowhere", "arguments", "everywhere"}, b.later_word_counts));
   KADR_LOAD(choice(t, "cycle_words", {"shift_by_ijk", "shift_by_q", "pecks_by_ijk"}, b.cycle_words));
   KADR_LOAD(choice(t, "dwell_unit", {"seconds", "milliseconds", "milliseconds_without_point"}, b.dwell_unit));
-  if (const auto flag = t["arc_radius_word"].value_exact<bool>()) {  // earlier versions had the value true or false for this key
+  // In earlier versions the key arc_radius_word had the value true or false
+  if (const auto flag = t["arc_radius_word"].value_exact<bool>()) {
     b.arc_radius_word = *flag ? ArcRadius::alone : ArcRadius::none;
     return {};
   }

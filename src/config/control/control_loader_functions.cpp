@@ -84,7 +84,8 @@ constexpr ArgRow args[] = {
     {Function::stored_position, 1, 2},
 };
 
-/// Modes that use no words. A word in `takes` of their rows is rejected: it would only hide that the word has no effect in a program.
+/// Functions for modes that use no words. If a row with one of these functions lists words in `takes`, the row is rejected: the list would
+/// only hide that the word has no effect in a program.
 constexpr Function wordless[] = {
     Function::plane_xy,
     Function::plane_zx,
@@ -130,7 +131,8 @@ constexpr LetterRow letters_of[] = {
     {Function::machine_axis, "XYZUVWABC"}, {Function::tool_of_table, "T"}, {Function::speed_of_spindle, "S"},
 };
 
-/// Returns true for functions of addresses (P, Q …) whose words belong to a code: they search their block for the code that uses the word.
+/// Returns true for functions of addresses (P, Q …) whose words belong to a code. For such a word, the engine searches the block for the
+/// code that uses the word.
 bool names_word_of(Function function) { return function == Function::word_of_code || function == Function::dwell_word; }
 
 constexpr std::int32_t drilling_tenths[] = {73_g, 74_g, 76_g, 81_g, 82_g, 83_g, 84_g, 84.2_g, 84.3_g, 85_g, 86_g, 87_g, 88_g, 89_g};

@@ -36,7 +36,7 @@ Done ControlLoader::names() {
       if (!is_name(*alias)) return Failed(place(name_, node) + translated(texts::control_file::alias_is_no_name, *alias));
       if (std::find(def_.aliases.begin(), def_.aliases.end(), *alias) != def_.aliases.end())
         return Failed(place(name_, node) + translated(texts::control_file::alias_twice, *alias));
-      // Only files with a path are checked; tests/controls_table.py has checked the packed built-in files, which have none
+      // Only a user's own control file has a path and is checked here; tests/controls_table.py has checked the built-in files
       if (node.source().path)
         for (const auto& [other, id] : taken_names())
           if (other == *alias && id != def_.id)

@@ -74,7 +74,7 @@ constexpr Function plane_functions[] = {
 /// A function, and the kind of system variables that store its data.
 struct Stores {
   Function function;
-  int arg;  // `arg` of the variables; -1: every value of `arg` is permitted
+  int arg;  // value of the key `arg` that the rows of the system variables must have; -1: any value
   VariableKind kind;
   std::string_view name;
 };
@@ -97,13 +97,14 @@ bool ControlLoader::does(std::initializer_list<Function> functions) const {
          std::any_of(def_.addresses.begin(), def_.addresses.end(), [&](const AddressRow& row) { return one_of(row.function); });
 }
 
-/// Checks that a control has both the machine and the language of the NCT (dialect = "nct"), or neither. One of them does not work without
-/// the other.
+/// Checks that a control has both the machine and the program language of the NCT (dialect = "nct"), or neither. One of them does not work
+/// without the other.
 Done ControlLoader::check_machine() {
   const Grammar& g = def_.grammar;
   const toml::table* const words = section("grammar");
   const toml::table* const behaves = section("behaviour");
-  const auto at = [&](std::string_view key) {  // returns the location of the key; of `dialect` if the user's own file sets the dialect
+  // Returns the location for an error sentence: of the key, or of `dialect` if the user's own file sets the dialect
+  const auto at = [&](std::string_view key) {
     const toml::node* const own = file_.get("dialect");
     const bool blames_machine = own != nullptr && is_own(*own);
     if (blames_machine) return place(name_, *own);
@@ -125,7 +126,7 @@ Done ControlLoader::check_machine() {
     if (on) return Failed(at(key) + translated(texts::control_file_behaviour::does_not_work_with_nct, "[grammar] " + std::string(key)));
   for (const std::string_view key : not_of_nct)
     KADR_LOAD(no_effect(*behaves, key, translated(texts::control_file_behaviour::no_effect_with_nct, key)));
-  // The key has no effect, because parameters and set-up of this control state which axes are diameters.
+  // The key `diameter` has no effect on an NCT, because its parameters and the set-up state which axes are programmed as diameters.
   KADR_LOAD(no_effect(*section("axes"), "diameter", translated(texts::control_file_behaviour::no_effect_with_nct, "diameter")));
   return {};
 }
@@ -296,7 +297,7 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
     for (const char* const key : {"stride", "repeat"})
       KADR_LOAD(no_effect(row, key, who + translated(texts::control_file_variables::there_is_one, key)));
   }
-  // Variables with lower numbers are not system variables but ordinary variables of the program
+  // Variables with numbers below 1000 are not system variables but ordinary variables of the program
   constexpr std::uint32_t first_system_variable = 1000;
   const std::uint64_t last = range.from + std::uint64_t{range.stride} * (range.repeat - 1) + range.count - 1;
   if (range.from < first_system_variable || range.repeat == 0)

@@ -57,7 +57,8 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
 
 tl::expected<ControlDef, std::string> ControlLoader::load() {
   const Done done = sections();
-  if (!bad_value_.empty()) return Failed(bad_value_);  // if there are two errors, the one in bad_value_ was found first
+  // If the file has two errors, bad_value_ contains the one that was found first, so it is reported
+  if (!bad_value_.empty()) return Failed(bad_value_);
   if (!done) return Failed(done.error());
   return std::move(def_);
 }
@@ -360,7 +361,7 @@ Done ControlLoader::word_format(char letter, const toml::table& row, const Addre
     if (!parsed) return Failed(place(name_, row, "format") + format_fault_message(parsed.error()));
     w = *parsed;
   }
-  // The format string lists the addresses of the control; a row with a format of its own adds its address.
+  // A control has the addresses that its format string lists, and each address whose row states a format of its own.
   w.known = def_.descriptor.empty() || !a.format.empty() || w.known || a.function == Function::formal_parameter;
   if (!typed(row, "point", true)) w.point = false;
   w.parameter = parameter;

@@ -16,13 +16,13 @@ namespace kadr {
   X(dwell_after) X(spindle_stop) X(coolant_off) X(machine) X(stop) X(flow) X(none)
 
 // One row per function, with everything that the engine knows about the function except its code.
-//   phase   the phase in which the function is executed, unless its row in the control's file states another one
-//   axes    own: the axis words of the block belong to the function, and the block has no modal motion
-//   by      what calls the function: an address (word) or a code
-//   needs   what the control must have (see Needs); the loader rejects the row on any other control
-//   order   within one phase, a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is
+//   phase:  the phase in which the function is executed, unless its row in the control's file states another one
+//   axes:   own: the axis words of the block belong to the function, and the block has no modal motion
+//   by:     what calls the function: an address (word) or a code
+//   needs:  what the control must have (see Needs); the loader rejects the row on any other control
+//   order:  within one phase, a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is
 //           started first, then a call is made, then an end is processed
-//   facts   leaves_mode: a motion code in the same block only sets the mode (`G0 G91 G28 Z0` is what shops write) · ends: it ends the
+//   facts:  leaves_mode: a motion code in the same block only sets the mode (as G0 in `G0 G91 G28 Z0`) · ends: it ends the
 //           program, a subprogram or a repetition · stops: it stops the program · calls: it calls a subprogram after the block's other
 //           words have acted · passes_control: it calls or returns at once · plain_motion: G0 to G3 · breaks_contour: if cutter
 //           compensation is active, the tool's centre goes to the programmed point first (nct 15.5.2) · steady: it changes nothing if it
@@ -193,7 +193,7 @@ namespace kadr {
   X(vector_hold,          corner,        none, code, nct,        usual, nothing) \
   X(vector_corner,        data,          none, code, nct,        usual, nothing) \
   X(not_available,        none,          own,  code, nothing,    usual, nothing) \
-  /* nct: macros, programs, M codes */ \
+  /* functions for macros, calls of programs, and M codes */ \
   X(macro_call,           flow,          own,  code, nct,        usual, passes_control) \
   X(macro_modal,          flow,          own,  code, nct,        usual, nothing) \
   X(macro_modal_off,      flow,          none, code, nct,        usual, nothing) \
@@ -208,7 +208,7 @@ namespace kadr {
   X(subprogram_end,       flow,          none, code, no_nct,     usual, ends) \
   X(repetition_end,       flow,          none, code, no_nct,     usual, ends) \
   X(permanent_subprogram, flow,          own,  code, no_nct,     usual, nothing) \
-  /* RS274/NGC with parameters in files (spec/linuxcnc) */ \
+  /* functions of controls that follow RS274/NGC, with parameters in a file (spec/linuxcnc) */ \
   X(canned_cycle,         motion,        own,  code, rs274,      usual, nothing) \
   X(probe_move,           motion,        own,  code, rs274,      usual, nothing) \
   X(thread_by_spindle,    motion,        own,  code, rs274,      usual, nothing) \
@@ -256,7 +256,7 @@ namespace kadr {
   X(single_direction,     motion,        own,  code, nct,        usual, leaves_mode | breaks_contour) \
   X(engraved_text,        motion,        own,  code, nct,        usual, nothing) \
   X(jump_by_input,        flow,          none, code, nct,        usual, nothing) \
-  /* lines checked one by one (spec/grbl) */ \
+  /* functions of controls that check each line by itself (spec/grbl) */ \
   X(machine_block,        none,          none, code, lines,      usual, nothing) \
   X(stored_offsets,       data,          own,  code, lines,      usual, nothing) \
   X(stored_move,          data,          own,  code, lines,      usual, nothing) \
@@ -317,8 +317,8 @@ struct FunctionTraits {
 };
 
 const FunctionTraits& traits_of(Function function);
-Function function_named(std::string_view name);  // returns Function::count if no function has this name
-Phase phase_named(std::string_view name);        // returns Phase::count if no phase has this name
+Function function_named(std::string_view name);  // returns the function with this name; Function::count if no function has it
+Phase phase_named(std::string_view name);        // returns the phase with this name; Phase::count if no phase has it
 std::string_view name_of(Phase phase);
 
 inline constexpr std::size_t most_groups = 48;  // greatest number of groups of codes, including "no group"

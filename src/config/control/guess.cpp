@@ -25,7 +25,7 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t lines_of_guess = 500;
-constexpr double near = 4;  // a control whose score is lower than the best score by more than this is not considered
+constexpr double near = 4;  // greatest difference from the best score with which a control is still considered
 
 /// The control that is guessed if no evidence points to another control. It is the most common control on hobbyists' machines.
 constexpr std::string_view usual_control = "mach3";
@@ -38,7 +38,7 @@ struct Found {
   std::string en, ru;
 };
 
-/// A control or a language, with the evidence for it that has been found so far.
+/// A control or a program language, with the evidence for it that has been found so far.
 struct Candidate {
   const GuessRows* rows;
   bool is_dialect;
@@ -55,7 +55,8 @@ struct Candidate {
     for (const auto& [pattern, weight, place, needs, rarest] : rows->marks)
       if (place == MarkLocation::name && is_named_like(path, pattern)) {
         const bool of_folder = pattern.find('/') != std::string::npos;
-        const std::size_t last = path.rfind('/');  // the path has the form "/folder/part.nc", so it contains '/'
+        // `path` has the form "/folder/part.nc", so it contains at least one '/' and rfind() finds it
+        const std::size_t last = path.rfind('/');
         const std::string name(of_folder ? path.substr(1, last - 1) : path.substr(last + 1));
         const TextId<1> what = of_folder ? texts::guess::folder_is : texts::guess::name_is;
         found.push_back({weight, 0, translated_in(Lang::en, what, name), translated_in(Lang::ru, what, name)});
@@ -81,7 +82,8 @@ struct Candidate {
     std::vector<Found> all;
     std::copy_if(found.begin(), found.end(), std::back_inserter(all), [](const Found& f) { return f.weight > 0; });
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.weight > b.weight; });
-    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns may match the same word, which must count only once
+    // Evidence with the same sentence counts only once, because two patterns may have matched the same word
+    for (std::size_t i = 0; i < all.size(); ++i)
       all.erase(
           std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
           all.end());
@@ -102,7 +104,7 @@ class OpenMarks {
   }
 
   /// Searches a line for marks. `signs`: the characters of the line as written, with its comments. With `only_against`, evidence for
-  /// languages that Kadr does not read is ignored.
+  /// program languages that Kadr does not read is ignored.
   void take(const GuessLine& line, LineSigns signs, std::uint32_t number, bool only_against) {
     hits_.clear();
     for (LineSigns rest = signs; rest != 0; rest &= rest - 1)
@@ -180,7 +182,7 @@ Guess guess_of(const std::vector<Candidate>& candidates) {
   return guess;
 }
 
-/// Returns the language that Kadr does not read, if the evidence identifies one; else nullptr.
+/// Returns the program language that Kadr does not read, if the evidence identifies one; else nullptr.
 const Candidate* dialect_of(const std::vector<Candidate>& dialects) {
   const auto best =
       std::max_element(dialects.begin(), dialects.end(), [](const Candidate& a, const Candidate& b) { return a.score() < b.score(); });
@@ -211,7 +213,7 @@ Guess unknown(const KindOfText& text) {
 }
 
 /// Returns true if the line has a name in angle brackets (#<…>, O<…>). Such a name of LinuxCNC may contain any letters, so the line is not
-/// used as evidence for another language.
+/// used as evidence for another program language.
 bool has_names(const GuessLine& line) {
   return line.written.find("#<") != std::string::npos || line.written.find("O<") != std::string::npos;
 }

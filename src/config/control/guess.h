@@ -1,6 +1,6 @@
 #pragma once
 // Guesses the control that a program was written for, from the program's text and name. If Kadr supports no such control, guesses the
-// language of the program.
+// program language, such as that of Heidenhain or Sinumerik.
 
 #include <map>
 #include <string>
@@ -15,18 +15,18 @@ namespace kadr {
 
 struct Guess {
   std::string control;  // id of the guessed control; empty: Kadr supports no control for this program
-  // Id (in controls/dialects.toml) of the program's language, if it is one that Kadr does not read; else empty.
+  // Id (in controls/dialects.toml) of the program language, if it is one that Kadr does not read; else empty.
   std::string dialect;
-  std::string language_en, language_ru;  // name of the language `dialect`, for people
+  std::string language_en, language_ru;  // name of the program language `dialect`, for people
   // Controls that would execute such a program wrongly: for a lathe program, a control that Kadr reads as a mill.
   std::vector<std::string> refused_by;
-  std::string reason_en;  // the evidence as a sentence, with the lines of the program, in order of lines
+  std::string reason_en;  // sentence with the evidence for the guess; it names the program's lines in ascending order
   std::string reason_ru;
-  bool decisive = false;                                     // the evidence suffices; false: the guess is weak
+  bool decisive = false;  // true if the evidence for the guessed control is sufficient; false: the guess is weak
   std::vector<std::pair<std::string, double>> scores;        // score of each control, in the order of the controls' rows
   std::vector<std::pair<std::string, std::string>> reasons;  // evidence for each control, as sentences in English and Russian
 
-  // Score of each language that Kadr does not read; only if the guess is a control.
+  // Score of each program language that Kadr does not read; only if the guess is a control.
   std::vector<std::pair<std::string, double>> dialect_scores;
 
   std::map<std::string, double> strongest_marks;  // for each control, the greatest weight of a mark (GuessMark) that the text contains
@@ -39,12 +39,12 @@ struct Guess {
 /// `own`: rows of the user's own controls, which are considered in addition to the built-in ones.
 Guess guess_control(std::string_view sample, std::string_view path = {}, const std::vector<GuessRows>& own = {});
 
-/// Like guess_control(), but considers only the given controls and languages.
+/// Guesses the control of a program as guess_control() does, but considers only the given controls and program languages.
 Guess guess_among(std::string_view sample, std::string_view path, const std::vector<GuessRows>& controls,
                   const std::vector<GuessRows>& dialects);
 
-/// Checks whether the text is certainly in a language for which the given control must not be used, such as a lathe program if Kadr reads
-/// the control as a mill. A control file of the user's own is never refused.
+/// Checks whether the text is certainly in a program language for which the given control must not be used, such as a lathe program if Kadr
+/// reads the control as a mill. A control file of the user's own is never refused.
 ///   control  id or alias of the control
 ///   returns  an error sentence; empty if the control may be used
 std::string refused_by_control(std::string_view sample, std::string_view control, Lang lang);
@@ -60,16 +60,16 @@ void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size
 /// What the guesses for the programs of one folder have in common.
 struct CommonGuess {
   std::string control;  // id of the common control; empty: the guesses have no common control
-  std::string dialect;  // id of the common language that Kadr does not read; empty: there is no such language
+  std::string dialect;  // id of the common program language that Kadr does not read; empty: the guesses have no such language in common
 };
-/// Returns the control or language that all decisive guesses name; of three or more decisive guesses, three quarters suffice. A language
-/// must be named by at least two guesses. Without a decisive guess, returns the control with the greatest sum of scores. Both members are
-/// empty if the guesses disagree.
+/// Returns the control or program language that all decisive guesses name; of three or more decisive guesses, three quarters suffice. A
+/// program language must be named by at least two guesses. Without a decisive guess, returns the control with the greatest sum of scores.
+/// Both members are empty if the guesses disagree.
 CommonGuess common_guess(const std::vector<Guess>& guesses);
 
 /// Returns true if a program with a weak guess may be for the same control as its neighbours, because its text has no strong evidence
 /// against this control.
-///   same_ending  the file names have the same ending; if not, a language that Kadr does not read also needs evidence in the text
+///   same_ending  the file names have the same ending; if not, a program language that Kadr does not read also needs evidence in the text
 bool may_be(const Guess& guess, const CommonGuess& neighbours, bool same_ending);
 
 /// Returns true if `bytes`, the start of a file, reads like a part program of some control that Kadr supports.

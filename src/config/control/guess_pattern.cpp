@@ -114,7 +114,7 @@ std::string_view found_with_bracket(std::string_view raw, std::string_view patte
 
 GuessLine guess_line(std::string_view line) {
   GuessLine forms;
-  line = line.substr(0, 1000);  // a longer line would take too much time: patterns with \* visit each position many times
+  line = line.substr(0, 1000);  // only the first 1000 characters are searched, because patterns with \* visit each position many times
   for (const char c : bare_line(line))
     if (c != '\t' && (c != ' ' || forms.written.empty() || forms.written.back() != ' ')) forms.written += c;
   forms.squeezed = squeezed(forms.written);
@@ -127,7 +127,7 @@ GuessLine guess_line(std::string_view line) {
 std::string_view found_in(const GuessLine& line, std::string_view pattern) {
   const bool in_comments = pattern.starts_with('(') || pattern.starts_with(';');
   const bool as_written = pattern.find(' ') != std::string_view::npos;
-  // In this case, the bracket of CYCLE800( is not treated as the start of a comment
+  // A pattern with a bracket, such as CYCLE800(, is searched in the line as written, so that the bracket does not start a comment
   const bool has_bracket = !in_comments && pattern.find('(') != std::string_view::npos;
   if (has_bracket) return found_with_bracket(line.raw, pattern);
   const std::string_view text = in_comments ? line.raw : as_written ? line.written : line.squeezed;

@@ -26,8 +26,8 @@ GuessLine guess_line(std::string_view line);
 /// pattern that starts with `(` or `;` is searched in comments, too; one with a blank in the words as written; all others without blanks.
 std::string_view found_in(const GuessLine& line, std::string_view pattern);
 
-/// Like found_in(), for a separate text, such as the comments of a line. In addition, a letter at the pattern's end matches only if no
-/// letter follows it.
+/// Returns the first match of a pattern in a text without the structure of a block, such as the comments of a line. The rules are those of
+/// found_in(). In addition, a letter at the pattern's end matches only if no letter follows it.
 std::string_view found_in_words(std::string_view text, std::string_view pattern);
 
 /// The set of characters that occur in a text, one bit for each character (some characters share a bit). A pattern that needs a character
@@ -35,7 +35,8 @@ std::string_view found_in_words(std::string_view text, std::string_view pattern)
 using LineSigns = std::uint64_t;
 LineSigns signs_of(std::string_view text);
 LineSigns signs_needed(std::string_view pattern);
-/// Returns the bit of the character in `signs` that the fewest lines of programs contain; any_sign if `signs` is empty.
+/// Returns the number of the bit, in `signs`, of the rarest character: of the characters in the set, the fewest lines of programs contain
+/// it. Returns any_sign if the set is empty.
 inline constexpr std::size_t any_sign = 64;
 std::size_t rarest_sign(LineSigns signs);
 

@@ -1,5 +1,5 @@
-// Reads the section [guess] of control files and languages. Used by config/control/guess and config/control/control_loader_words; tested by
-// tests/config/guess_test.cpp.
+// Reads the section [guess] of control files, and of the program languages in controls/dialects.toml. Used by config/control/guess and
+// config/control/control_loader_words; tested by tests/config/guess_test.cpp.
 
 #include "config/control/guess_rows.h"
 
@@ -79,7 +79,8 @@ const std::vector<GuessRows>& built_in_guess_rows() {
       const toml::table* const guess = table ? (*table)["guess"].as_table() : nullptr;
       if (guess == nullptr) continue;
       auto rows = guess_rows_of(*guess, file);
-      assert(rows);  // cannot fail, because tests/controls_table.py loads every built-in file
+      // The [guess] section of a built-in control is always valid, because tests/controls_table.py loads every built-in file
+      assert(rows);
       rows->control = id;
       of.push_back(std::move(*rows));
     }
@@ -97,7 +98,7 @@ const std::vector<GuessRows>& dialect_rows() {
     for (const auto& [id, node] : *table) {
       const toml::table& dialect = *node.as_table();
       auto rows = guess_rows_of(*dialect["guess"].as_table(), file);
-      assert(rows);  // cannot fail, because tests/config/guess_test.cpp reads these rows
+      assert(rows);  // the rows of a program language are always valid, because tests/config/guess_test.cpp reads all of them
       rows->control = std::string(id.str());
       rows->name_en = dialect["name"]["en"].value_or(std::string());
       rows->name_ru = dialect["name"]["ru"].value_or(std::string());

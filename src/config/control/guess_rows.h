@@ -1,6 +1,6 @@
 #pragma once
-// The evidence by which programs are recognised. For a control, it is the section [guess] of the control's file; for a language that Kadr
-// does not read, it is in controls/dialects.toml.
+// The evidence by which programs are recognised. For a control, it is the section [guess] of the control's file; for a program language
+// that Kadr does not read, it is in controls/dialects.toml.
 
 #include <toml++/toml.h>
 
@@ -26,22 +26,25 @@ struct GuessMark {
   std::string pattern;  // pattern of the text to find, in the form of guess_pattern.h
   double weight = 0;    // strength of the evidence; below 0: evidence against the control
   MarkLocation place = MarkLocation::statement;
-  LineSigns needs = 0;            // characters without which the pattern cannot match
-  std::size_t rarest = any_sign;  // bit of the rarest character in `needs`
+  LineSigns needs = 0;  // characters without which the pattern cannot match
+  // Number of the bit, in `needs`, of the rarest character: of the characters that the pattern needs, the fewest lines of programs contain
+  // it
+  std::size_t rarest = any_sign;
 };
 
-/// The evidence that points to one control or language.
+/// The evidence that points to one control or program language.
 struct GuessRows {
-  std::string control;           // id of the control or of the language
-  std::string name_en, name_ru;  // name of a language, for people; empty for a control
-  // Only for a language: controls that must not be used for its programs, because Kadr reads programs of these controls differently.
+  std::string control;           // id of the control or of the program language
+  std::string name_en, name_ru;  // name of a program language, for people; empty for a control
+  // Only for a program language: controls that must not be used for its programs, because Kadr reads programs of these controls
+  // differently.
   std::vector<std::string> refused_by;
   std::vector<GuessMark> marks;
   std::vector<std::pair<TextTrait, double>> traits;
 };
 
-/// A mark with at least this weight identifies the control by itself. A language is identified if the weights of all its evidence add up to
-/// at least this number.
+/// A mark with at least this weight identifies the control by itself. A program language is identified if the weights of all its evidence
+/// add up to at least this number.
 inline constexpr double decisive_weight = 10;
 
 /// Reads a section [guess].
@@ -50,7 +53,7 @@ tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, con
 
 /// Returns the rows of the built-in controls, which are read once.
 const std::vector<GuessRows>& built_in_guess_rows();
-/// Returns the rows of the languages that Kadr does not read; they are read once.
+/// Returns the rows of the program languages that Kadr does not read; they are read once.
 const std::vector<GuessRows>& dialect_rows();
 
 }  // namespace kadr

@@ -10,22 +10,23 @@
 namespace kadr {
 
 enum class TextTrait : std::uint8_t {
-  all_numbered,     // every block has a number
-  few_numbered,     // less than half of the blocks have a number
+  all_numbered,     // every block of the text has a block number
+  few_numbered,     // less than half of the blocks of the text have a block number
   decimal_points,   // at least one number has a decimal point
-  trailing_points,  // `X10.`: some numbers have no digit after the decimal point
+  trailing_points,  // `X10.`: some numbers end with the decimal point, without a digit after it
   long_integers,    // coordinates have four or more digits, and no coordinate has a decimal point
   whole_lengths,    // X10, Y-5: coordinates have one to three digits, and no coordinate has a decimal point
   plus_signs,       // `X+10.`: numbers have plus signs, and no code has a single digit
-  two_digit_codes,  // G01: all codes have two digits, and every block has a number
-  program_number,   // `%`, then a program number such as O0001; not set if all blocks are numbered and all codes have two digits
+  two_digit_codes,  // all codes have two digits, as G01 has, and every block has a block number
+  // A line with `%` is followed by a program number such as O0001; not set if all blocks are numbered and all codes have two digits
+  program_number,
   percent,          // the text starts with `%`
   no_percent,       // the text has no `%`
-  no_tools,         // the text contains no T, no M6 and no H
-  without_y,        // X and Z occur, and Y does not
-  u_w_words,        // U or W occurs, and A, B, C, Y do not
-  changing_power,   // S occurs at least three times in blocks without M3, M4 or T
-  feed_everywhere,  // most motions at feed have an F word
+  no_tools,         // the text contains no T word, no M6 and no H word
+  without_y,        // the text contains X and Z words, but no Y word
+  u_w_words,        // the text contains U or W words, but no A, B, C or Y word
+  changing_power,   // the text contains at least three S words in blocks without M3, M4 or T
+  feed_everywhere,  // most feed motions have an F word in their block
   count
 };
 

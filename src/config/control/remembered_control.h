@@ -1,9 +1,10 @@
 #pragma once
-// The file .kadr.toml of a folder, which remembers the control for the programs of this folder and of the folders below it:
+// The file .kadr.toml of a folder, which remembers the control for the programs of this folder and of the folders below it.
+// Example of its contents:
 //
-//   control = "haas"              # an id of `kadr controls`, or a control file, relative to this one
+//   control = "haas"              # an id that `kadr controls` lists, or the path of a control file, relative to .kadr.toml
 //   [control_for]
-//   "*.ngc" = "linuxcnc"          # as --control-for
+//   "*.ngc" = "linuxcnc"          # control for files whose names match a pattern, as with the option --control-for
 //
 // Kadr writes the file only with the option --remember.
 

@@ -63,7 +63,8 @@ void EdgeList::bulged(Vec2 from, Vec2 to, double bulge) {
 
 void EdgeList::arc(Vec2 centre, double radius, double from_deg, double to_deg) {
   if (!std::isfinite(from_deg) || !std::isfinite(to_deg) || !std::isfinite(radius)) {
-    return add({centre, {std::nan(""), 0}});  // the coordinate NaN makes the check against contour_reach reject the edge
+    // An edge with the coordinate NaN fails the check against contour_reach, so the drawing is rejected
+    return add({centre, {std::nan(""), 0}});
   }
   const double sweep = std::max(-360.0, std::min(360.0, to_deg - from_deg));
   const int pieces = std::abs(sweep) > 180 ? 2 : 1;

@@ -17,10 +17,10 @@ namespace kadr {
 struct Edge {
   Vec2 from;
   Vec2 to;
-  // Tangent of a quarter of the swept angle, counter-clockwise positive. 0 is a straight line; 1, the greatest absolute value, a
-  // semicircle.
+  // Bulge of the edge: the tangent of a quarter of the angle that the arc sweeps, positive if the arc is counter-clockwise. For a straight
+  // line, it is 0; for a semicircle 1, the greatest absolute value.
   double bulge = 0;
-  bool open = false;       // the edge has no wall, so the tool may cross it
+  bool open = false;       // true if the edge has no wall, so that the tool may cross it
   std::uint32_t line = 0;  // line number of the edge in the file; 0: the edge is not from a file
   friend bool operator==(const Edge&, const Edge&) = default;
 };

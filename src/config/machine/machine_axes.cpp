@@ -37,7 +37,8 @@ class Fitter {
   }
 
  private:
-  /// Applies [grammar] least_increments, unless a parameter selects pocket calculator input (spec/fanuc 1.3).
+  /// Makes numbers without a decimal point count in units of 0.001 on the addresses of [grammar] least_increments, unless a parameter
+  /// selects pocket calculator input (spec/fanuc 1.3).
   void least_increments() {
     constexpr std::uint8_t decimals = 3;
     if (is_set("calculator")) return;
@@ -72,7 +73,8 @@ class Fitter {
     format(letter);
   }
 
-  /// Gives an address the format of a macro argument: sign, any number of digits, a decimal point; any number of times in a block.
+  /// Gives an address the format of a macro argument: a sign, any number of digits and a decimal point are permitted. A block may have any
+  /// number of words with this address.
   WordFormat& format(char at) {
     WordFormat& w = def_.grammar.word(at);
     w = {};
@@ -149,7 +151,8 @@ class Fitter {
       row.function = Function::auxiliary_word;
       row.phase = Phase::machine;
       row.number = static_cast<std::uint8_t>(i + 1);
-      row.least = 0;  // the number must not be negative and has at most eight digits (nct 13.2); INFERRED: it must be whole
+      // The value of an auxiliary function must not be negative and has at most eight digits (nct 13.2); INFERRED: it must be whole
+      row.least = 0;
       row.most = 99'999'999;
       row.whole = true;
     }

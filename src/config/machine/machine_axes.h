@@ -9,12 +9,13 @@
 
 namespace kadr {
 
-/// Creates the rows for the addresses of axes, spindles and auxiliary functions. If the control's own file names its axes, only reads
-/// values of the machine that are parameters in the set-up.
+/// Creates the rows for the addresses of axes, spindles and auxiliary functions. If the control's own file names its axes, creates no rows,
+/// and only reads the values of the machine that the set-up states as parameters.
 ///   returns  an error sentence (duplicate name, too many names); empty if there is no fault
 std::string fit_to_machine(ControlDef& def, const Setup& setup);
 
-/// Values of the machine that a parameter table may contain: the name under which the engine uses the parameter (`as`), and the member.
+/// Values of the machine that a parameter table may contain: the name under which the engine uses the parameter (`as`), and the member of
+/// Behaviour that stores the value.
 inline constexpr std::pair<std::string_view, double Behaviour::*> figures_of_machine[] = {
     {"feed_most", &Behaviour::feed_most},
     {"reference_feed", &Behaviour::reference_feed},

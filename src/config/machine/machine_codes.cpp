@@ -44,7 +44,7 @@ void MachineCodes::take(const ControlDef& own, const ControlDef& other, bool own
     const CodeRow* const there = machine_row(other, row.there);
     if (there == nullptr || !is_of_machine(*there)) {
       if (near > 1 && !fault_) fault_ = Fault{own.id, row.code, other.id, row.there};
-      continue;  // a row for "*" is no fault, because not every control has this code
+      continue;  // if the row is for all controls ("*"), this is no fault, because not every control has the code of the row
     }
     const Pair pair = own_is_from ? Pair{row.code, row.there} : Pair{row.there, row.code};
     if (!this->there(pair.here) && !here(pair.there)) pairs_.push_back(pair);

@@ -25,8 +25,8 @@ class MachineCodes {
     std::uint32_t here = 0, there = 0;
   };
   const std::vector<Pair>& pairs() const { return pairs_; }
-  /// A row that names the other control with a code that is neither an M function of that control's machine nor switches coolant; nullopt
-  /// if no row has this fault.
+  /// A faulty row of [convert]: its code on the other control is no M function of that control's machine and does not switch coolant. The
+  /// row names the other control itself, not "*".
   struct Fault {
     std::string control;  // the control whose table contains the faulty row
     std::uint32_t code = 0;

@@ -59,7 +59,7 @@ Done vector_of(const std::string& file, const toml::table& row, std::string_view
   return {};
 }
 
-/// Reads a direction in the same way as vector_of(), and scales it to length 1.
+/// Reads a direction, a key whose value is three numbers, if the key is present, and scales the direction to length 1.
 Done direction_of(const std::string& file, const toml::table& row, std::string_view key, Vec3& to) {
   if (auto done = vector_of(file, row, key, to); !done) return done;
   const double l = length(to);

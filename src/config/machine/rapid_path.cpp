@@ -21,7 +21,8 @@ bool rapids_apart(const ControlDef& def, const Setup& setup, const std::vector<s
       if (bits ? given.of_channel(row.name.c_str(), {int(k), row.bits[k].c_str()}) : given.of_channel(row.name.c_str()) != 0) return false;
     }
   return def.has_parameter(straight) || def.behaviour.rapids_apart ||
-         given.of_channel("0421", {0, "ROL"});  // nct 4.1.2; INFERRED: number of the parameter (nct 4.1.1)
+         // Bit ROL of the parameter N0421 of the NCT (nct 4.1.2; INFERRED: the number of the parameter, nct 4.1.1)
+         given.of_channel("0421", {0, "ROL"});
 }
 
 }  // namespace kadr

@@ -142,7 +142,7 @@ Rows rows_of(const toml::table& table, const std::string& file) {
     rows.push_back(reader.row(key.str()));
     if (!reader.fault().empty()) return Failed(reader.fault());
   }
-  // The unsigned value of -1 is the greatest, so parameters without a number come last.
+  // Parameters without a number have the number -1. As an unsigned value it is the greatest, so these parameters are sorted last.
   const auto rank = [](const ParameterRow& row) { return static_cast<std::uint32_t>(row.number); };
   std::stable_sort(rows.begin(), rows.end(), [&](const ParameterRow& a, const ParameterRow& b) { return rank(a) < rank(b); });
   return rows;

@@ -19,7 +19,7 @@ bool is_parameter_table(std::string_view name);
 ///            unknown key, wrong scope, type, class or range, duplicate bit
 tl::expected<std::vector<ParameterRow>, std::string> load_parameters(const std::string& name);
 
-/// Like load_parameters(), from TOML text; `file` is the name used in messages.
+/// Reads a parameter table from TOML text, as load_parameters() reads a built-in one. `file` is the name that messages use for the text.
 tl::expected<std::vector<ParameterRow>, std::string> parse_parameters(std::string_view toml, const std::string& file);
 
 }  // namespace kadr

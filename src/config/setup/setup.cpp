@@ -113,7 +113,7 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
     try {
       Setup read;
       setup_reader::read_table(parts[i].value, "", setup_reader::readers_of(read));
-      // Faults that the check of keys does not find: dates, combinations of keys, limits with a unit
+      // Reading the values finds faults that the check of the keys does not find: dates, combinations of keys, limits with a unit
     } catch (const setup_reader::Wrong& error) {
       return tl::unexpected(placed(sources[i].place, line(error.key), error.sentence));
     }
@@ -121,7 +121,8 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
   try {
     setup_reader::read_table(whole, "", setup_reader::readers_of(result.setup));
     setup_reader::give_kinematics(result.setup);
-  } catch (const setup_reader::Wrong& error) {  // each source is valid by itself, but the merged set-up is not valid
+    // A fault that only the merged set-up has, because each source by itself has been read without a fault
+  } catch (const setup_reader::Wrong& error) {
     return tl::unexpected(error.sentence);
   }
   result.stated = stated_in(whole);

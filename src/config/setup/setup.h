@@ -44,10 +44,10 @@ struct AxisLimits {
   std::optional<std::pair<double, double>> zone3;
   std::optional<std::pair<double, double>> switches;  // positions of the end-position switches, mm, machine coordinates (nct 22.1)
   std::optional<double> apart;                        // permitted deviation of a gantry axis from its master, mm (nct 20.6)
-  bool no_acceleration = false;                       // `"acceleration": null`: motions need no time for acceleration
-  std::optional<double> acceleration;                 // acceleration, mm/s²
-  std::optional<double> jerk_time;                    // time in which the acceleration reaches its value, s; 0: at once (linear)
-  double position_error = 0;                          // distance by which the axis stops short of its commanded position, mm
+  bool no_acceleration = false;  // true if the set-up states `"acceleration": null` for the axis: motions need no time for acceleration
+  std::optional<double> acceleration;  // acceleration, mm/s²
+  std::optional<double> jerk_time;     // time in which the acceleration rises from 0 to its full value, s; 0: at once (linear)
+  double position_error = 0;           // distance by which the axis stops short of its commanded position, mm
 };
 
 /// The rotary axes of a five-axis machine, as words and letters of the set-up (nct 25.1).
@@ -55,7 +55,9 @@ struct KinematicsSetup {
   std::string type;            // machine type: head-head, table-table, head-table; empty: the set-up does not state it
   std::string axes, reversed;  // letters of the rotary axes; letters of those that are reversed
   std::map<std::string, std::vector<double>> vectors;  // vectors, mm, by their names in the manual: T1, T2, E, D
-  double singular = 0.01;  // permitted change of a tool direction if one rotary axis then need not move, degrees
+  // Greatest angle, in degrees, by which the tool may deviate from a programmed direction near a singular one, so that a rotary axis need
+  // not turn far
+  double singular = 0.01;
 };
 
 struct SpindleSetup {
@@ -135,9 +137,9 @@ struct SetupEvent {
     park
   };
   When when = When::program_end;
-  std::string block;  // number of the block: "N30"
-  std::string code;   // code of the block: "M90"
-  int count = 0;      // number of the occurrence at which the event takes place; 0: at every occurrence
+  std::string block;  // number of the block at which the event occurs: "N30"
+  std::string code;   // code at which the event occurs: "M90"
+  int count = 0;      // which occurrence of the block or code starts the event, counted from 1; 0: every occurrence
   Do what = Do::start;
   std::string signal;
   double value = 0;
@@ -163,7 +165,7 @@ struct Setup {
   std::vector<std::string> axes;  // names of the axes; empty: the axes that the control's file names
   AxisValues start;
   bool start_in_work = false;
-  std::vector<std::string> modal;  // code words in force at the start
+  std::vector<std::string> modal;  // code words, such as "G90", in force at the start of the run
   std::optional<double> feed;      // feed at the start, mm/min
   std::map<int, ToolOffset> offsets;
   // Work offsets by code: "G54", "G59 P7", "common". A basic rotation other than 0 has the axis name "G17", "G18" or "G19", and is in
@@ -176,7 +178,8 @@ struct Setup {
   std::map<std::string, AxisLimits> machine;  // limits by axis name; "*": limits of all axes
   // Limits that the session combines from set-up and machine file. The set-up has no key for them.
   std::map<std::string, std::pair<double, double>> axis_limits;
-  KinematicsSetup kinematics;  // the set-up may also give these data as parameters, which take precedence
+  // Rotary axes of the machine; if the set-up states the same values as parameters, the parameters take precedence
+  KinematicsSetup kinematics;
   std::map<int, SpindleSetup> spindles;
   int tool = 0;
   std::map<int, ToolRow> tool_table;
@@ -193,8 +196,9 @@ struct Setup {
   std::string clock;
   std::string ini;  // name of the control's ini file, relative to the folder of the program memory; empty: there is no ini file
   int channel = 1;
-  std::map<int, ChannelSetup> channels;  // channels other than `channel`, by number
-  std::vector<int> skip;                 // numbers of the block skip switches that are on
+  // Data of the other channels, by channel number; the program itself runs in channel number `channel`
+  std::map<int, ChannelSetup> channels;
+  std::vector<int> skip;  // numbers of the block skip switches that are on
   // The operator's answers to the question whether to skip a block. The last answer applies to all further blocks. If empty, the operator
   // is not asked.
   std::vector<bool> skip_answers;

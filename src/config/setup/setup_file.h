@@ -38,7 +38,7 @@ struct SetupSource {
 
 struct PlacedSetup {
   Setup setup;
-  KeyLines lines;  // line numbers of the keys in the first source
+  KeyLines lines;  // line numbers of the keys of the first source, for messages
   /// Keys of which some source states a value other than null: "offsets.1.length", "work_offsets.G54", "zeros.1", "correctors.17".
   std::set<std::string> stated;
 };

@@ -32,13 +32,13 @@ enum class SetupForm : std::uint8_t {
 
 /// The names that are allowed as keys of a table, or as the text of a value.
 enum class SetupNames : std::uint8_t {
-  fixed,  // only the keys that have rows of their own in this table
+  fixed,  // the table has no other keys than those that have rows of their own in setup_keys.cpp
   any,
   axis,
-  axis_of_any,    // name of an axis, of any channel
+  axis_of_any,    // name of an axis of any channel of the control
   axis_or_all,    // name of an axis, or "*" for all axes
   axis_or_plane,  // name of an axis, or "G17", "G18", "G19" for a basic rotation
-  offset,         // number of a row of the offset table; the names from here to `channel` are numbers too
+  offset,         // number of a row of the offset table; the following kinds, up to `channel`, are numbers too
   corrector,
   zero,
   reference_point,
@@ -58,8 +58,8 @@ enum class SetupNames : std::uint8_t {
 /// What a control must have so that the key applies to it. The control's file states whether it has this (config/setup/setup_names).
 enum class SetupNeeds : std::uint8_t {
   nothing,
-  work_offsets,   // work offsets with codes as names: G54 …
-  zeros,          // work offsets with numbers as names; the order of the numbers may differ from that of the codes (2С42: G55 is zero 3)
+  work_offsets,   // the control names its work offsets by their codes: G54 …
+  zeros,          // the control names its work offsets by numbers, whose order may differ from that of the codes (2С42: G55 is zero 3)
   correctors,     // axis correctors
   variables,      // the control has variables #n or R0 … R9
   parameters,     // a parameter table
@@ -71,7 +71,7 @@ enum class SetupNeeds : std::uint8_t {
   probe,
   diameters,      // the control allows axes that are programmed as diameters
   skip_question,  // the control may ask the operator before it skips a block
-  machine_axes,   // axes, channels, spindles and the machine's logic depend on the machine
+  machine_axes,   // the control's axes, channels, spindles and machine logic depend on the machine
 };
 
 enum class SetupUnit : std::uint8_t { none, mm, axis, mm_min, mm_s2, seconds, degrees, rev_min, m_min, percent };
@@ -79,7 +79,8 @@ enum class SetupUnit : std::uint8_t { none, mm, axis, mm_min, mm_s2, seconds, de
 /// The permitted range of a number.
 struct SetupRange {
   double least = -1e300, most = 1e300;
-  bool by_reader = false;  // the range depends on the quantity (config/range.h), and the reader of the key checks it, with the unit
+  // True if the range depends on the quantity (config/range.h); the reader of the key then checks the range, with the unit
+  bool by_reader = false;
 };
 
 struct SetupKey {
@@ -88,11 +89,11 @@ struct SetupKey {
   SetupNames names;  // the names that are permitted as keys of a table, or as texts
   SetupRange range;  // permitted range of the numbers
   SetupUnit unit;
-  bool null;  // the value null is permitted and means that the key is missing
+  bool null;  // true if the value null is permitted; it means that the key is missing
   SetupNeeds needs;
   std::string_view words;    // the permitted words, separated by blanks; used only for the form one_of
   std::string_view example;  // an example of the value, as JSON
-  std::string_view instead;  // key that controls of another type have for the same purpose
+  std::string_view instead;  // key that another type of control has for the same purpose
   PlainText about;
 };
 
@@ -106,7 +107,7 @@ struct SetupSignal {
   std::string_view name;
   PlainText about;
   std::string_view manual;
-  bool of_axis = false;  // each axis has its own signal of this name, with the axis as ending: AP_SYNCR.Z
+  bool of_axis = false;  // true if each axis has its own signal of this name, with the axis' name as ending: AP_SYNCR.Z
 };
 std::span<const SetupSignal> setup_signals();
 

@@ -72,7 +72,7 @@ void hole(const Json& value, const std::string& key, ProbeHole& to) {
               {"diameter", to_range(to.diameter, ranges::diameter)},
               {"top", to_range(to.top, ranges::position)},
               {"depth", to_range(to.depth, ranges::distance)}});
-  // The diameter 0 means that the key is missing, which is a fault
+  // The diameter stays 0 if the set-up does not state it, and a hole without a diameter is a fault
   if (to.diameter == 0) wrong(key + ".diameter", range_in_words(ranges::diameter));
 }
 
@@ -167,7 +167,7 @@ void give_kinematics(Setup& setup) {
   for (int n = 0; n < 2; ++n) {
     const std::string letter(1, k.axes[static_cast<std::size_t>(n)]);
     const auto at = std::find(setup.axes.begin(), setup.axes.end(), letter);
-    if (at == setup.axes.end()) continue;  // the axis is unknown; the first code that needs it reports the fault
+    if (at == setup.axes.end()) continue;  // the channel has no such rotary axis; the first code that needs the axis reports the fault
     give(n == 0 ? "3204" : "3208", "", static_cast<double>(at - setup.axes.begin() + 1));
     give(n == 0 ? "3205" : "3209", "", letter[0] >= 'A' && letter[0] <= 'C' ? letter[0] - 'A' + 1 : 3);
     give("3212", n == 0 ? "RD1" : "RD2", k.reversed.find(letter) != std::string::npos ? 1 : 0);

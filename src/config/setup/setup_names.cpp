@@ -108,7 +108,7 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
   std::uint32_t plain = 0;
   for (const CodeRow& row : def.codes) {
     const bool usual = row.tenth >= first_system && row.tenth <= last_system;
-    // G110 of the Haas has Function::work_system, so this condition includes it.
+    // G110 of the Haas is not between G54 and G59.3, but it has Function::work_system, so the condition includes it.
     if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;
     const bool is_plain = row.function == Function::work_zero || row.function == Function::fixture ||
                           row.function == Function::work_system || row.function == Function::table_system;
@@ -182,7 +182,7 @@ bool SetupNamesOf::allows(SetupNames kind, std::string_view name) const {
       const bool macro = def_ == nullptr || def_->grammar.variables > 0;
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
       if (!(macro && names_macro_variable(name)) && !(formal && names_formal_parameter(name))) return false;
-      // Every name of this form is accepted here; the control itself checks which variables exist
+      // Every name in the form of a variable is accepted here; the control itself checks which variables exist
       if (def_ == nullptr || def_->grammar.has_vacant_variables() || formal) return true;
       const int number = name[1] == '_' ? 0 : std::atoi(std::string(name.substr(1)).c_str());
       return number >= 1 && static_cast<std::uint32_t>(number) <= def_->grammar.variables;
@@ -292,7 +292,7 @@ std::optional<std::string> SetupNamesOf::parameter_fault(std::string_view name, 
   const bool whole = value == std::floor(value);
   if (text) {
     if (row->type != ParameterType::text) return plain_text(id::value_number, lang);
-    return std::nullopt;  // accepted here, because the control checks the characters of the value when it reads the parameter
+    return std::nullopt;  // the text is accepted here, because the control checks its characters when it reads the parameter
   }
   if (!key->bit.empty()) {
     const bool number = key->bit.size() == 1 && key->bit[0] >= '0' && key->bit[0] <= '7';

@@ -12,14 +12,14 @@
 
 namespace kadr {
 
-/// Returns true if the control's file provides what the key needs.
+/// Returns true if the control has what a key of the set-up needs, such as a parameter table or a probe. The control's file states this.
 bool has(const ControlDef& def, SetupNeeds needs);
 
 /// A work system of the control, with the name that it has in a set-up.
 struct WorkSystem {
   std::string name;   // "G54", "G54.1 P2"
   std::uint32_t row;  // number of the row in the table of work offsets or fixtures
-  bool works = true;  // Kadr implements the work system
+  bool works = true;  // true if Kadr implements the work system
 };
 std::vector<WorkSystem> work_systems(const ControlDef& def);
 /// Returns the names of the work systems by `row`. Element 0 is the code that selects no work system ("G53"); empty if there is no such
@@ -31,23 +31,25 @@ std::string alternatives(const std::vector<std::string>& all, Lang lang);
 
 class SetupNamesOf {
  public:
-  /// `def`: the control; nullptr: all controls. `axes`: axes of the program's channel. `all_axes`: axes of all channels.
+  /// def: the control whose names are permitted; nullptr: the names of all controls are. axes: axes of the program's channel. all_axes:
+  /// axes of all channels.
   SetupNamesOf(const ControlDef* def, std::vector<std::string> axes, std::vector<std::string> all_axes);
 
   bool knows(const SetupKey& row) const { return def_ == nullptr || has(*def_, row.needs); }
   bool allows(SetupNames kind, std::string_view name) const;
-  /// Returns all names of this kind, from which a message suggests one; empty if the names are numbers or have a fixed form.
+  /// Returns all names of one kind (axes, work offsets …), so that a message can suggest one of them. Returns an empty list if the names
+  /// are numbers or have a fixed form.
   std::vector<std::string> all(SetupNames kind) const;
-  /// Returns in words the form of names of this kind: "named by a whole number, 1 to 9"; "named common, G54 or …".
+  /// Returns in words the form that names of one kind have: "named by a whole number, 1 to 9"; "named common, G54 or …".
   std::string form(SetupNames kind, Lang lang) const;
   /// Returns an example of each form of name that the control's parameter table has, for messages and pages: N5114, N5200#1, N1006.X.
   std::vector<std::string> forms_of_parameters() const;
-  /// Returns true for a work system that the control has, but that Kadr does not support yet.
+  /// Returns true if the name is that of a work offset which the control has but which Kadr does not support yet.
   bool unsupported(SetupNames kind, std::string_view name) const;
-  /// Returns the form that the value of a parameter must have, if the value does not have it; else nullopt. `text`: the value is given as
-  /// text.
+  /// Checks the form of a parameter's value in the set-up. Returns in words the form that the value must have if it has another form; else
+  /// nullopt. `text`: the value is given as text.
   std::optional<std::string> parameter_fault(std::string_view name, double value, bool text, Lang lang) const;
-  /// Returns the range that the numbers of this key have on this control.
+  /// Returns the permitted range of a key's numbers on this control.
   SetupRange range(const SetupKey& row) const;
   const ControlDef* control() const { return def_; }
 

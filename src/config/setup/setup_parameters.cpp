@@ -1,5 +1,4 @@
-// Reads parameters of the set-up, for an axis of the channel or for the channel itself, in the rooms after the control. Used by machine,
-// motion.
+// Reads the values that the set-up states for parameters, of an axis of the channel or of the channel itself. Used by machine, motion.
 
 #include "config/setup/setup_parameters.h"
 

@@ -1,7 +1,7 @@
 #pragma once
-// Reads parameters of the set-up, for an axis of the channel or for the channel itself, in the rooms after the control. A value with an
-// index takes precedence over a value without index, and a single bit over the whole value (as in ParameterStore). A parameter that the
-// set-up does not state is 0.
+// Reads the values that the set-up states for parameters, of an axis of the channel or of the channel itself. The rooms machine and motion,
+// which process what the control commands, use these values. A value with an index takes precedence over a value without index, and a
+// single bit over the whole value (as in ParameterStore). A parameter that the set-up does not state is 0.
 
 #include <string>
 #include <vector>

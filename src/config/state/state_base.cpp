@@ -40,7 +40,7 @@ Base::~Base() {
 Done Base::connect() {
   std::error_code none;
   had_log_ = fs::exists(path_ + "-wal", none);
-  // With this prefix, SQLite does not treat ":memory:" and "file:…" as special names
+  // The prefix "./" keeps SQLite from treating names such as ":memory:" and "file:…" as special names
   const std::string name = path_[0] == '/' ? path_ : "./" + path_;
   constexpr int how = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
   if (const int code = sqlite3_open_v2(name.c_str(), &connection_, how, nullptr); code != SQLITE_OK) return failed(code);
@@ -98,7 +98,8 @@ Done vetted(const std::string& path) {
   if (path.empty()) return tl::unexpected(translated(texts::state_file::no_name));
   if (const std::string kind = file_type_in_words(path); !kind.empty())
     return tl::unexpected(translated(texts::state_file::is_not_a_file, path, kind));
-  std::error_code none;  // file_size() does not open the file; closing the file would release the locks of this process
+  // file_size() is used because it does not open the file; closing an opened file would release the locks that this process has on it
+  std::error_code none;
   const std::uintmax_t size = fs::file_size(path, none);
   if (!none && size == 0) return tl::unexpected(translated(texts::state_file::is_empty, path));
   if (!none && size > max_bytes) return tl::unexpected(translated(texts::state_file::too_long, path));

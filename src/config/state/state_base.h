@@ -17,8 +17,10 @@ namespace kadr::state {
 using Done = tl::expected<void, std::string>;
 
 inline constexpr int application_id = 0x4B616472;  // the bytes of "Kadr", which identify a state file
-inline constexpr int major_version = 2;            // is raised if an older Kadr must not read the file; files of version 1 had no checksums
-inline constexpr int minor_version = 0;            // is raised if the file gets additional data that an older Kadr may ignore
+// Major version of the format: raised if an older Kadr must not read the file; files of version 1 had no checksums
+inline constexpr int major_version = 2;
+// Minor version of the format: raised if the file gets additional data that an older Kadr may ignore
+inline constexpr int minor_version = 0;
 inline constexpr int minors_of_major = 1000;
 inline constexpr std::uintmax_t max_bytes = 256u << 20;  // greatest size of a state file in bytes; a file with all tables full has 1 MB
 
@@ -39,7 +41,8 @@ struct Finalize {
 };
 using SqlStatement = std::unique_ptr<sqlite3_stmt, Finalize>;
 
-void bind_text(sqlite3_stmt* statement, int index, std::string_view text);  // the text must exist until the statement is reset
+// Binds a text to a parameter of an SQL statement; the text must exist until the statement is reset
+void bind_text(sqlite3_stmt* statement, int index, std::string_view text);
 std::string_view text_at(sqlite3_stmt* statement, int column);
 
 class Base {
@@ -67,7 +70,7 @@ class Base {
   int run(const char* statements) const { return sqlite3_exec(connection_, statements, nullptr, nullptr, nullptr); }
   int last_error() const { return sqlite3_extended_errcode(connection_); }
   bool in_transaction() const { return sqlite3_get_autocommit(connection_) == 0; }
-  int version() const;  // returns the major and minor version as one number
+  int version() const;  // returns the file's format version: the major version times 1000, plus the minor version
 
   /// Returns an error with this text. The first placeholder of the text is replaced by the file's name, the others by `args`.
   template <std::size_t Holes, typename... Args>

@@ -90,7 +90,8 @@ bool lay_new_head(const std::string& copy, const Folder& folder) {
   if (!make_state(made, "", {})) return false;
   std::array<char, page_bytes> head{};
   std::ifstream(made, std::ios::binary).read(head.data(), head.size());
-  // Byte offsets of two numbers of the header. If these numbers differ, SQLite computes the page count from the file's size.
+  // Byte offsets of two numbers in the header of an SQLite file. If these numbers differ, SQLite computes the page count from the file's
+  // size.
   constexpr std::size_t change_counter = 24, valid_for = 92;
   head[change_counter] = 1, head[valid_for] = 2;
   std::error_code none;

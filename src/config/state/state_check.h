@@ -9,9 +9,9 @@
 namespace kadr {
 
 struct StateReport {
-  std::string control;              // id of the control; empty if the file does not state it readably
-  bool checked = true;              // the file has checksums; if false, an older Kadr wrote the file, and its values cannot be checked
-  std::size_t rows = 0;             // number of valid rows
+  std::string control;   // id of the control; empty if the file does not state it readably
+  bool checked = true;   // true if the file has checksums; if false, an older Kadr wrote the file, and its values cannot be checked
+  std::size_t rows = 0;  // number of valid rows
   std::vector<std::string> faults;  // the faults of the file as sentences; empty: the file is valid
 };
 

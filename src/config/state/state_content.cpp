@@ -65,7 +65,7 @@ class Reader {
   /// Checks the application id, the version, and the tables: the file must have exactly the tables of a state file, and no triggers.
   void tables() {
     const bool marked = base_.answer("PRAGMA application_id") == std::to_string(application_id);
-    // Format version of the tables `about` and `state`, 0 if the table is missing; number of other tables
+    // Format versions of the tables `about` and `state`, 0 if the table is missing; and the number of tables with other names
     int about = 0, state = 0, others = 0;
     const SqlStatement all = base_.prepared("SELECT sql FROM sqlite_master");
     while (all && sqlite3_step(all.get()) == SQLITE_ROW) {
@@ -199,7 +199,7 @@ std::uint64_t sum_of_row(std::string_view kind, std::string_view key, const Stat
   sum.byte(static_cast<unsigned char>(value.index()));
   if (const auto* const text = std::get_if<std::string>(&value)) sum.text(*text);
   else if (const auto* const number = std::get_if<double>(&value))
-    sum.whole(std::bit_cast<std::uint64_t>(*number + 0.0));  // adding 0.0 changes -0 to 0, which is the stored value
+    sum.whole(std::bit_cast<std::uint64_t>(*number + 0.0));  // adding 0.0 changes -0 to 0, because the file stores -0 as 0
   return sum.hash();
 }
 

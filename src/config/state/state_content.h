@@ -31,16 +31,17 @@ struct Whole {
   static Whole of_control(std::string_view control);
   void add(std::uint64_t row) { ++rows, sum += row; }
   void take(std::uint64_t row) { --rows, sum -= row; }
-  /// Returns the checksum of a row, given the checksum of its value. For the value 0, returns the checksum of `whole` itself.
+  /// Returns the checksum of a row in a file with these totals. `row` is the checksum of the row's kind, key and value. With 0 for `row`,
+  /// returns the checksum of the totals alone.
   std::uint64_t sealed(std::uint64_t row) const;
-  std::string text() const;  // returns the text "turn rows sum seal"
+  std::string text() const;  // returns the totals and their checksum as a text of four numbers: turn, rows, sum, checksum
   static std::optional<Whole> parsed(const std::string& text);
 };
 
 struct Content {
   std::string control;              // id of the control; empty if the file does not state it readably
-  bool checked = true;              // the file has checksums; if false, an older Kadr wrote the file
-  bool ours = true;                 // the file has the tables or the application id of Kadr
+  bool checked = true;              // true if the file has checksums; if false, an older Kadr wrote the file
+  bool ours = true;                 // true if the file has the tables or the application id of a state file of Kadr
   std::vector<StateRow> rows;       // the valid rows, sorted
   std::vector<std::uint64_t> sums;  // checksum of each row
   std::vector<std::string> faults;  // the faults of the file as sentences; empty: the file is valid

@@ -58,7 +58,7 @@ class StateFile::Database {
   // Checksums that the rows had before the save in progress. They are restored if the save fails.
   std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;
   std::vector<StateRow> unchecked_;   // all rows of the file, if the file has no checksums yet
-  bool old_ = false;                  // the file has no checksums yet
+  bool old_ = false;                  // true if the file has no checksums yet
   std::optional<FileId> file_, log_;  // identities of the file and its log at the time when they were opened; nullopt: not opened yet
 };
 
@@ -128,7 +128,7 @@ tl::expected<StoredState, std::string> StateFile::Database::load() {
 
 int StateFile::Database::step(const SqlStatement& statement) {
   sqlite3_step(statement.get());
-  return sqlite3_reset(statement.get());  // sqlite3_reset() returns the error code of the last step
+  return sqlite3_reset(statement.get());  // returns the error code of the statement's last step
 }
 
 /// Records the new checksum of a row of the file; nullopt: the row is removed from the file.
@@ -199,7 +199,8 @@ Done StateFile::Database::save(const std::vector<StateRow>& rows) {
   before_.clear();
   const bool alone = rows.size() == 1 && !old_ && !std::holds_alternative<std::monostate>(rows[0].value) &&
                      sums_.contains(static_cast<char>(rows[0].table) + rows[0].key);
-  int code = alone ? SQLITE_OK : step(begin_);  // a single statement is a transaction by itself, and needs no BEGIN
+  // A save that writes a single row needs no BEGIN, because a single SQL statement is a transaction by itself
+  int code = alone ? SQLITE_OK : step(begin_);
   if (code == SQLITE_OK && old_) code = upgrade();
   for (std::size_t i = 0; i < rows.size() && code == SQLITE_OK; ++i) code = step(rows[i]);
   if (code == SQLITE_OK && !alone) code = step(commit_);

@@ -3,11 +3,11 @@
 //
 // It is an SQLite database with one row per value. Only one process opens it at a time, and each save is one transaction in a write-ahead
 // log:
-//   killed process   once save() returns, the operating system has the log's pages, so the last completed block is kept;
-//                    a block that was being saved is there completely or not at all
-//   power failure    synchronous = NORMAL: the log is flushed before it is merged into the file; the last blocks may be lost,
-//                    but the file stays consistent. FULL would flush after each block, some milliseconds each
-//   a rollback journal would need two flushes per save for the same guarantee
+//   If the process is killed: once save() returns, the operating system has the log's pages, so the last completed block is kept.
+//   A block that was being saved is in the file completely or not at all.
+//   If the power fails: the last blocks may be lost, but the file stays consistent, because the log is flushed before it is merged into
+//   the file (synchronous = NORMAL). A flush after each block (FULL) would take some milliseconds each.
+//   A rollback journal instead of the log would need two flushes per save for the same guarantee.
 //
 // Speed, measured with 2000 rows on two cores and the SSD of a server: 120,000 saves per second of one row, 75,000 of two, 35,000 of
 // five. Once in some thousand saves, the log is merged into the file, which takes up to 10 ms. Opening takes 1 ms.

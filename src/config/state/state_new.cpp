@@ -115,7 +115,8 @@ Done make_state(const std::string& path, const std::string& control, const std::
   if (error == 0) return {};
   ::unlink(temporary.c_str());
   if (error == EEXIST) return tl::unexpected(translated(texts::state_file::there_already, path));
-  if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;  // both error codes mean that the folder does not exist
+  // ENOENT and ENOTDIR both mean that the folder of the file does not exist, so both give the same message
+  if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;
   return tl::unexpected(translated(texts::state_file::cannot_be_made_why, path, errno_message(error)));
 }
 

@@ -51,7 +51,8 @@ void put(Json& table, const std::string& key, const Json& value) {
   const std::size_t number = rest.size() < 8 ? std::strtoul(rest.c_str() + 5, nullptr, 10) : 0;
   while (list.size() < std::min(number, ToolRow{}.user.size())) list.push_back(0);
   if (number > 0 && number <= list.size()) list[number - 1] = value;
-  else table[row][rest] = value;  // the row is invalid; the reader of set-ups rejects it and names it
+  // For an invalid row, stores the value under the whole key; the reader of set-ups then rejects the key by name
+  else table[row][rest] = value;
 }
 
 }  // namespace

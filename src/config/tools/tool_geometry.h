@@ -36,9 +36,10 @@ struct InsertGeometry {
   // Entering angle, degrees: the angle between the leading cutting edge and the feed direction, which is the direction along z in which the
   // tip points.
   std::optional<double> lead;
-  double width = 0;                  // width of a grooving insert, mm; 0: the insert is not for grooving
-  std::vector<InsertPoint> profile;  // outline of the cutting part, a simple polygon; if it is not empty, it replaces the values above
-  std::vector<InsertPoint> holder;   // outline of the holder, a simple polygon; two points are opposite corners of a rectangle
+  double width = 0;  // width of a grooving insert, mm; 0: the insert is not for grooving
+  // Outline of the insert's cutting part, a simple polygon; if it has points, it replaces the nose, angles and width of the insert
+  std::vector<InsertPoint> profile;
+  std::vector<InsertPoint> holder;  // outline of the holder, a simple polygon; two points are opposite corners of a rectangle
 };
 
 struct ToolGeometry {
@@ -54,7 +55,7 @@ struct ToolGeometry {
   std::vector<ProfilePoint> profile;  // outline of the cutting part of a form tool
   std::vector<ProfilePoint> shank;    // outline of the shank; empty: the shank is a cylinder of `diameter` from `flutes` to `length`
   std::vector<ProfilePoint> holder;   // outline of the holder; empty: the shape of the holder is not known
-  bool plunges = true;                // the tool may cut when it moves straight down
+  bool plunges = true;                // true if the tool can cut while it moves straight down
   int teeth = 0;                      // number of cutting edges; 0: the number is not known
   InsertGeometry insert;              // insert of the tool; only for a turning tool
 };

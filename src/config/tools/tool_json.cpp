@@ -141,7 +141,7 @@ bool fusion_shape(ToolGeometry& tool, const std::string& type, const json& sizes
     tool.kind = ToolKind::chamfer;
     tool.angle = 2 * amount(part(sizes, "TA"), 1);
     tool.tip = length("tip-diameter");
-    // The diameter DC is that at the tip; Kadr supports tapered mills only without corner radius
+    // The diameter DC of a tapered mill is the diameter at its tip. Kadr supports tapered mills only without corner radius
   } else if (mentions_any(type, {"tapered mill"})) {
     if (length("RE") > 0) return false;
     tool.kind = ToolKind::taper;

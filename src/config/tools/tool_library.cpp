@@ -53,7 +53,7 @@ std::string assumed_flutes_message(const std::vector<std::uint32_t>& tools) {
   return translated(texts::tool_library::assumed_heights, numbers);
 }
 
-/// Returns the key that the row uses, the new one or an old one.
+/// Returns the name under which the row states a key: the present name of the key, or a name from an earlier version of Kadr.
 std::string_view key_in(const toml::table& row, std::string_view now) {
   for (const OldKey& k : old_keys)
     if (k.now == now && row.contains(k.old)) return k.old;
