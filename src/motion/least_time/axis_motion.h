@@ -57,12 +57,12 @@ class AxisMotion {
   /// Sets the rotation of the spindles at the program start and the parameters of smoothing (G5.1).
   void start(const Setup& setup, const std::vector<std::string>& axes);
 
-  /// A callback for each motion before the motion is planned. `number` is the motion's number; the cells of the motion have this number as
-  /// CellSource::motion. `length` is the approximate total length of these cells in mm.
+  /// A function of the client that AxisMotion calls for each motion before it plans the motion. `number` is the motion's number; the cells
+  /// of the motion have this number as CellSource::motion. `length` is the approximate total length of these cells in mm.
   std::function<void(std::uint64_t number, double length)> on_motion;
 
-  /// A callback for each motion before the motion is planned. `number` is the motion's number; `from` has its start position and coordinate
-  /// frame.
+  /// A function of the client that receives where each motion starts; AxisMotion calls it before it plans the motion. `number` is the
+  /// motion's number; `from` has its start position and coordinate frame.
   std::function<void(std::uint64_t number, const ToolPosition& from)> on_place;
 
   /// Plans a step. The step must already have the time that it takes at the programmed feed.

@@ -26,8 +26,8 @@ struct SmoothingRules {
   double most = 0;   // N3104, mm: a piece whose curve would leave its chord by more than this distance stays straight
   double least = 0;  // N3105, mm: a piece whose curve would leave its chord by less than this distance stays straight
   double fine = 0;   // N3106, mm: with Q3, the greatest deviation of a rounded corner from the programmed path
-  // N3107, mm: with Q3, pieces shorter than this length are smoothed at any angle. The length is at most twice N3106; it is 0 unless it is
-  // greater than N3103.
+  // N3107, mm: with Q3, pieces shorter than this length are smoothed at any angle. The value is limited to twice N3106. It is 0 (no such
+  // pieces) unless it is greater than N3103.
   double always_below = 0;
 };
 

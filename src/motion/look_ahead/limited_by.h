@@ -1,6 +1,6 @@
 #pragma once
-// This file finds the limit that determines the speed of a planned cell: the limit whose largest fraction the cell uses. The limits are
-// those of motion/least_time/least_time.h.
+// This file finds the limit that determines the speed of a planned cell. It is the limit of which the cell uses the largest fraction. The
+// limits are those of motion/least_time/least_time.h.
 
 #include "motion/least_time/planner.h"
 
@@ -26,7 +26,7 @@ struct LimitedBy {
 /// How much of their acceleration and jerk limits the axes use at one position of a cell.
 struct LimitUsage {
   struct Share {
-    double part = 0;        // the fraction of its limit that the axis nearest to its limit uses; 1: the axis is at the limit
+    double part = 0;        // the used fraction of the axis limit, for the axis nearest to its limit; 1: this axis is at its limit
     std::uint8_t axis = 0;  // index of the axis nearest to its limit
   };
   double speed = 0;  // path speed, mm/s

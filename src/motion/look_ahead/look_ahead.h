@@ -57,7 +57,7 @@ class LookAhead {
     double commanded;       // commanded speed, mm/s
     double enter = 0;       // the highest allowed speed at the start of the motion, mm/s
     double slow_until = 0;  // length of the slow zone after an inner corner, measured from the start of the motion, mm (nct 6.3.5)
-    Axes bend{};            // du/ds at the start of the motion, 1/mm (control_speed.h)
+    Axes bend{};  // curvature vector du/ds at the start of the motion, 1/mm, where u is the direction of the path (control_speed.h)
     const Motion& motion() const { return std::get<Motion>(held->kept.action.what); }
   };
   /// The last rapid motion, if the next rapid motion may start before the end of this motion.

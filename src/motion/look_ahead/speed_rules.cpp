@@ -78,7 +78,8 @@ void obey_parameters(SpeedRules& rules, const Setup& setup, const std::vector<st
   rules.inner_after = std::max(given.of_channel("1408"), 0.0);
   rules.inner_angle = given.of_channel("1409");
   if (const double part = given.of_channel("1410"); part > 0) rules.inner_part = std::min(part, 1.0);
-  rules.overlaps_rapids = given.of_channel("0421", {0, "ROL"});  // INFERRED: the number N0421 of this parameter (NCT 4.1.1)
+  // INFERRED: the bit ROL, which lets rapid motions overlap, belongs to the parameter N0421 (NCT 4.1.1)
+  rules.overlaps_rapids = given.of_channel("0421", {0, "ROL"});
   rules.overlap_from = std::clamp(given.of_channel("0422") / 100, 0.0, 1.0);
   const bool corners = rules.by_axis_change ? limits_something(rules.axis_change) : rules.corner_feed < unlimited;
   const bool zones = rules.inner_part < 1 && rules.inner_angle > 0;

@@ -30,7 +30,7 @@ class Playback {
   /// `rate` is the frequency of the servo clock in Hz. `cells` is the capacity of the cell ring in cells.
   Playback(MotionLimits limits, double rate, std::size_t cells = 8192);
 
-  // The planning thread calls the functions below.
+  // The thread that plans the motion calls the functions below, which pass planned cells to Playback.
 
   /// Appends the cells with the index `first` and above to the ring, as many as fit. Returns the number of appended cells.
   std::size_t offer(const TimedCells& cells, std::size_t first) { return ring_.offer(cells, first); }
@@ -46,7 +46,7 @@ class Playback {
   /// faster plan.
   void override_to(double share) { requested_.store(share > 0 ? share < 1 ? share : 1 : 0, std::memory_order_relaxed); }
 
-  // The servo clock calls the functions below, in one thread.
+  // The thread of the servo clock calls the functions below, which read positions.
 
   /// Writes the positions at the next instants of the servo clock: `count` rows with the positions of all axes. The function never
   /// allocates memory. It returns the number of rows: 0 before the first cell arrives, and fewer than `count` when the motion is over. The
@@ -70,7 +70,7 @@ class Playback {
   double played() const { return now_.played + now_.at.t; }
   /// The plan time that can still be played without further cells, s.
   double ahead() const { return ring_.offered() - played(); }
-  /// Playback brakes the axes if ahead() is less than this plan time, in s.
+  /// Playback brakes the axes if the planned motion that is left to play takes less than this time, s.
   static constexpr double reserve = 1;
   /// The number of servo instants at which the axes had to stop abruptly because no cells were available. It is 0 unless braking takes
   /// longer than the reserve.
@@ -93,14 +93,15 @@ class Playback {
     double last_override = 1;  // the last requested override above 0, as a factor of the planned speed
     bool started = false, done = false;
 
-    // The fields below belong to the next ramp, which is checked before it is used.
+    // The fields below belong to the next override ramp, which is checked against the axis limits before Playback uses it.
     bool trying = false, tried = false;
-    double goal = 1;  // the override to which the ramps lead, or the current override
+    double goal = 1;  // override to which the ramp under check leads; without such a ramp the current override
     OverrideRamp next{1};
-    std::uint64_t begins = 0;  // servo instant at which `next` starts
-    Cursor probe;              // position in the plan up to which `next` is checked
-    double on_next = 0;        // time of the probe since the start of `next`, s
-    double over = 0;  // Allowed excess over the jerk limits, as a fraction of these limits. It is above 0 so that a feed hold cannot fail.
+    std::uint64_t begins = 0;  // number of the servo instant at which the ramp `next` starts
+    Cursor probe;              // position in the plan up to which the ramp `next` is checked
+    double on_next = 0;        // time of the last checked position since the start of the ramp `next`, s
+    // Allowed excess of the ramp `next` over the jerk limits, as a fraction of these limits. It is above 0 so that a feed hold cannot fail.
+    double over = 0;
   };
 
  public:
