@@ -64,7 +64,8 @@ class ChannelAxes {
   PanelBlock on;                 // the block that the axes are executing, or executed last
   Placement placement;           // position of the work coordinate system
   std::uint32_t modes_of = ~0u;  // Origin::number of the block to which the modes in `pending` belong
-  // `holds_next`: the control must hold before the next block. `holds_again`: the control will ask once more before this block.
+  // `holds_next` is true if the control must hold before the next block. `holds_again` is true if the control will call is_held() once more
+  // for the same block and must then continue.
   bool holds_next = false, holds_again = false;
   bool has_ended = false;  // True if the channel's program has ended, so that nothing is left to plan.
   bool enters = false;     // True if this channel, which is not the program's own channel, is executing a line that the operator entered.

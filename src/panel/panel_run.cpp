@@ -60,7 +60,8 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
 void PanelMachine::begin_leg(std::size_t channel) {
   ChannelAxes& lane = *lanes_[channel];
   Control& control = *session_->channels()[channel].control;
-  // The new function replaces the function that used the planner of the previous leg.
+  // The planner of the channel's new leg receives the steps from here on; this function replaces the one that used the planner of the
+  // previous leg.
   session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };
   lane.plan(session_->plan(channel), panel_state_.shares.dry_feed);
   session_->change_outlets();

@@ -31,7 +31,8 @@ class CornerResolver {
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
  private:
-  enum class End : std::uint8_t { programmed, open };  // `open`: an over-determined block that follows may still move the end.
+  // The end of a motion is its programmed end, or `open`: an over-determined block that follows may still move this end.
+  enum class End : std::uint8_t { programmed, open };
   enum class Certainty : std::uint8_t { certain, settled_later };
 
   /// The start of a motion: the corner with the previous motion, and the travel that a chamfer or rounding at this corner removes from the

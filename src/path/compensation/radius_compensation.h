@@ -64,9 +64,10 @@ class RadiusCompensation {
     Origin origin;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;   // The vectors at the end of the motion. The list is empty if they are unknown or the offsets do not meet.
+    // Vectors from the programmed end of the motion to the tool's centre. The list is empty if they are unknown or the offsets do not meet.
+    JunctionVectors end;
     bool rejoins = false;  // True if an arc of the programmed radius joins the compensated ends (NCT 15.5.4).
-    // True if `end` follows from the corner rules and the tool is on the same side of this motion and the next motion.
+    // True if the corner rules determine the vectors in `end`, and the tool is on the same side of this motion and the next motion.
     bool regular = false;
     std::uint64_t number = 0;       // number of the motion's contour piece in GougeDetector
     bool watched = false;           // True if GougeDetector checks whether the tool cuts into the contour on this path.
@@ -87,7 +88,8 @@ class RadiusCompensation {
     Motion round_first;  // the motion before an arc about the programmed point
     CompensationCheck check;
     std::optional<Action> corner;  // a G39 that waits for the next motion
-    std::optional<Action> zero;    // A block without displacement in the plane, in which the tool moves to the next vector.
+    // A block without displacement in the plane, in which the tool's centre moves to the vector of the next junction.
+    std::optional<Action> zero;
     GougeDetector watch;
     double radius_before = 0;    // tool radius of the last emitted motion, mm
     bool regular_start = false;  // True if the first motion of the window starts at a regular junction (Held::regular).
