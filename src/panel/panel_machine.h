@@ -129,7 +129,7 @@ struct PanelRun {
   enum class Of : std::uint8_t { program, line, hand };
   Of of = Of::program;
   std::size_t channel = 0;           // index of the channel in which an entered line is executed; only for Of::line
-  std::unique_ptr<Planned> by_hand;  // planner of a motion by hand; only for Of::hand
+  std::unique_ptr<Planned> by_hand;  // planner of a motion that the operator commands by hand; only for Of::hand
   bool planned_all = false;
   Session::State came_to = Session::State::running;
 };
@@ -147,9 +147,9 @@ struct PanelApproach {
     std::string text;
   };
   std::shared_ptr<const RestartPoint> place;
-  std::deque<Line> before;      // lines to execute before the axes move along the paths
-  std::deque<PanelPath> paths;  // the paths to move along, one after another
-  std::deque<Line> after;       // lines to execute after the motion along the paths
+  std::deque<Line> before;      // lines of the program's language that the control executes before the axes move to the restart position
+  std::deque<PanelPath> paths;  // paths along which the channels move to the restart position, one path after another
+  std::deque<Line> after;       // lines that the control executes after the axes have moved along these paths
   bool is_there = false;
 };
 

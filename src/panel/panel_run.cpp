@@ -20,7 +20,8 @@ constexpr double farthest = 1e5;       // the longest single motion by hand, mm 
 
 }  // namespace
 
-/// Observes each step before the planner receives the step.
+/// Handles each step before the planner receives it: passes it to the observer, displays a message, holds the program at a stop, and notes
+/// the block of a motion.
 void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   if (looks_on_) looks_on_(step);
   const bool is_own = &lane == lane_;

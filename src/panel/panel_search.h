@@ -40,7 +40,7 @@ struct RestartPoint {
   Restart restart;
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
-  Placement placement;                            // position of the work coordinate system
+  Placement placement;                            // position of the work coordinate system in machine coordinates
   Stepping::Memory memory;                        // snapshot of the run when its control has reached this position
   bool in_block = false;                          // true if the position is over a drilled hole of a canned cycle
   std::optional<BlockSearch> by_control;          // Result of the control's own block search; nullopt if the control has no block search.

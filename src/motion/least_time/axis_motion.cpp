@@ -253,7 +253,8 @@ void AxisMotion::smooth(const Step& step, const Motion& motion, std::uint64_t nu
 
 void AxisMotion::end_smoothing() { now_.smoothing.finish(line_); }
 
-/// Adds a thread to the chain. Consecutive threads continue without a stop; only the first thread waits for the spindle (nct 4.4).
+/// Adds a thread-cutting motion to the chain. Consecutive threads continue without a stop; only the first thread waits for the spindle (nct
+/// 4.4).
 void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent) {
   const bool starts_thread = motion.detail->start_angle.has_value();
   if (starts_thread || now_.threads.full()) cut_threads();

@@ -114,10 +114,10 @@ class AxisMotion {
     TcpPiece led;       // the last planned piece, if tool centre point control was active in this piece
     SpindleClock spindle;
     Smoothing smoothing;
-    ThreadChain threads;  // consecutive threads that the planner has not planned yet
-    Spent thread_spent;   // activity and program line of the first thread in `threads`
+    ThreadChain threads;  // consecutive thread-cutting motions that the planner has not planned yet
+    Spent thread_spent;   // activity and program line of the first thread-cutting motion in `threads`
     PlanFaults faults;
-    double thread_angle = 0;  // spindle angle at which the next thread starts, in degrees after a zero pulse
+    double thread_angle = 0;  // spindle angle at which the next thread-cutting motion starts, in degrees after a zero pulse
   };
   struct Snapshot {
     Memory own;
@@ -159,7 +159,7 @@ class AxisMotion {
   Memory now_;
   Planner::Sink sink_;
   Planner planner_;
-  Smoothing::Line line_;  // passes the lines that Smoothing emits to the planner
+  Smoothing::Line line_;  // function that passes the lines which Smoothing emits to the planner
   StopToken stop_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 // The first and the last value of the barrier parameter μ, summed over all limits, as a fraction of the time.
 constexpr double first_mu = 0.5, last_mu = 3e-3;
-constexpr double smaller = 0.2;  // factor by which the barrier parameter μ is reduced between two steps over all cells
+constexpr double smaller = 0.2;  // factor by which the barrier parameter μ is reduced between two Newton steps
 constexpr int steps_of_all = 6;
 constexpr std::size_t neighbours = 4;  // number of blocks on each side of an unconverged block that are solved together with this block
 constexpr double slower = 0.7;         // initial guess of a cell's middle ordinate, as a fraction of its upper bound (find_envelope)

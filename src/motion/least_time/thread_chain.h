@@ -52,7 +52,7 @@ class ThreadChain {
     double time;
     Axes at;
     Axes speed;         // axis speeds in the thread that starts at this knot, mm/s or degrees/s
-    std::uint64_t tag;  // tag of the thread that starts at this knot
+    std::uint64_t tag;  // tag of the thread-cutting motion that starts at this knot
   };
   struct Weight {
     // Durations of the two rectangular pulses, s, whose convolution spreads each speed step: `longer` is W1 and `shorter` is W2.

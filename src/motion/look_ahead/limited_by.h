@@ -8,11 +8,11 @@ namespace kadr {
 
 enum class Limit : std::uint8_t {
   feed,          // the programmed feed, or the rapid rate with its override
-  corner,        // acceleration or jerk limit of an axis, in the rounding of a corner
-  curve,         // acceleration or jerk limit of an axis in a curve, caused by the curvature
-  axis_speed,    // the speed limit of the axis itself
-  acceleration,  // acceleration limit of an axis, while the path speed rises or falls
-  jerk,          // jerk limit of an axis, while the acceleration along the path changes
+  corner,        // the acceleration or jerk limit of an axis determines the speed in the rounding of a corner
+  curve,         // the acceleration or jerk limit of an axis determines the speed in a curve, because of its curvature
+  axis_speed,    // the speed limit of an axis determines the speed
+  acceleration,  // the acceleration limit of an axis, while the path speed rises or falls
+  jerk,          // the jerk limit of an axis, while the acceleration along the path changes
   pause,         // the axes are at rest: dwell, tool change
 };
 inline constexpr std::size_t limit_count = 7;

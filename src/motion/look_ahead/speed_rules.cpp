@@ -23,7 +23,8 @@ struct AxisAcceleration {
 /// Returns an axis' acceleration from the set-up or from the machine profile. Only this function chooses between these two sources.
 AxisAcceleration acceleration_of(const Setup& setup, const std::string& axis, const MachineProfile& profile) {
   AxisAcceleration found;
-  for (const std::string& name : {std::string("*"), axis}) {  // The axis' own entry is read last, so it overrides the entry "*".
+  // The set-up's entry for the axis itself is read last, so it overrides the entry "*" for all axes.
+  for (const std::string& name : {std::string("*"), axis}) {
     const auto row = setup.machine.find(name);
     if (row == setup.machine.end()) continue;
     const AxisLimits& limits = row->second;

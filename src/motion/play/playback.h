@@ -9,9 +9,9 @@
 // ramp and at all cell boundaries between these instants. If an axis would exceed its acceleration or jerk limit, a longer ramp is tried,
 // or a ramp to an intermediate override, at which the plan itself uses less jerk. The check is spread over several servo instants, so that
 // no single instant takes long. An override does not lengthen a dwell; a feed hold does. Where the operator's switches have no effect
-// (threads, G63: CellSource::switches), the override returns to 1 as soon as a ramp allows. A thread starts at the override 1, because the
-// axes are at rest before the thread. The spindle rotates in real time at any override. Before a thread the axes wait for the spindle
-// angle.
+// (thread cutting, G63: CellSource::switches), the override returns to 1 as soon as a ramp allows. Thread cutting starts at the override 1,
+// because the axes are at rest before it. The spindle rotates in real time at any override. Before thread cutting the axes wait for the
+// spindle angle.
 //
 // If cells arrive too late, Playback brakes the axes, and continues when enough cells are available.
 
@@ -40,7 +40,7 @@ class Playback {
   /// The plan time of all cells offered so far, s.
   double offered() const { return ring_.offered(); }
 
-  // The operator's request below may come from any thread.
+  // The operator's request of an override below may come from any thread.
 
   /// Requests an override, 0 to 1, as a factor of the planned speed; 0 is a feed hold. A value above 1 counts as 1, because it would need a
   /// faster plan.
@@ -80,13 +80,13 @@ class Playback {
   /// A position in the plan: a cell and a time in this cell.
   struct Cursor {
     std::uint64_t cell = 0;
-    double t = 0;  // plan time since the start of the cell, s
+    double t = 0;  // time of the plan since the start of the cell, s; at an override below 1 it passes more slowly than the clock's time
   };
   struct Place {
     Cursor at;
     OverrideRamp ramp{1};  // the ramp that is being played
     double on_ramp = 0;    // time since the start of the ramp that is being played, s
-    double played = 0;     // plan time of the completed cells, s
+    double played = 0;     // time of the plan, s, at the end of the completed cells
     std::uint64_t instant = 0, tag = 0, motion = 0, starved = 0;
     // `spindle` is the spindle angle, and `slip` is the actual spindle angle minus the planned angle, both in degrees.
     double spindle = 0, slip = 0;

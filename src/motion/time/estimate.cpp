@@ -106,8 +106,8 @@ double TimeEstimate::rapid_minutes(const Curve& curve) const {
   return minutes;
 }
 
-/// Returns the time, min, of a thread. The thread lead is the travel per revolution of the axis with the longest travel (nct 4.4).
-/// Overrides do not apply to threads.
+/// Returns the time, min, of a thread-cutting motion. The thread lead is the travel per revolution of the axis with the longest travel (nct
+/// 4.4). Overrides do not apply to threads.
 double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) const {
   double longest = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.travel(i)));

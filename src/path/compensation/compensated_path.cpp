@@ -142,9 +142,9 @@ bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) co
   return true;
 }
 
-/// Moves the tool from the current vector to the vector `to` along an arc about the programmed point (NCT 15.5.6).
+/// Moves the tool from the current compensation vector to the vector `to` along an arc about the programmed point (NCT 15.5.6).
 void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
-  // The swept angle in degrees; counter-clockwise is positive.
+  // The angle that the arc sweeps, in degrees; counter-clockwise is positive.
   const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});
   const bool cw = like.side > 0;
   const double turns = (cw ? -swept : swept) / 360;

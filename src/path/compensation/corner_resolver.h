@@ -39,14 +39,14 @@ class CornerResolver {
   /// motion.
   struct Start {
     Vec2 corner;
-    Vec2 direction;           // direction of the motion's element at the corner, before a chamfer or rounding shortened the element
-    double cut = 0;           // travel removed from the start of the motion (unit: corner_geometry.h)
+    Vec2 direction;  // direction of the motion's element at the corner, before a chamfer or rounding shortened the element
+    double cut = 0;  // travel that a chamfer or rounding removes from the start of the motion, in mm on a line and in revolutions on an arc
     bool calculated = false;  // True if the corner was calculated. It may then differ from the programmed end of the previous motion.
   };
   struct Held {
     Action action;
     Start start;
-    Vec2 end;  // programmed end of the motion
+    Vec2 end;  // programmed end of the motion in its plane
   };
 
  public:

@@ -97,9 +97,10 @@ class GougeDetector {
   ContourGouge& cut_into(std::uint64_t number);
 
   Ring contour_, path_;
-  std::array<ContourGouge, group_size * groups> cuts_;  // the deepest cut into each piece of the ring buffer
-  std::vector<ContourGouge> first_cuts_;                // the deepest cut into each of the first pieces
-  ContourGouge worst_;  // the deepest cut into pieces that have left the ring buffer and are not among the first pieces
+  std::array<ContourGouge, group_size * groups> cuts_;  // the deepest cut of the tool into each contour piece in the ring buffer
+  std::vector<ContourGouge> first_cuts_;                // the deepest cut of the tool into each of the first pieces of the contour
+  // the deepest cut into contour pieces that have left the ring buffer and are not among the first pieces of the contour
+  ContourGouge worst_;
   bool any_ = false;
 };
 

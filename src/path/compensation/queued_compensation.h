@@ -85,7 +85,7 @@ class QueuedCompensation {
   void resume_from(const Memory& memory) { now_ = memory; }
 
  private:
-  // The functions below are the input.
+  // The functions below are the input: they accept actions and put them into the queue.
   void next(Action& action);
   void wait(Action& action);
   void end_here(const CompensationBreak& end);

@@ -66,7 +66,9 @@ class RadiusCompensation {
     Vec2 start_vector;
     // Vectors from the programmed end of the motion to the tool's centre. The list is empty if they are unknown or the offsets do not meet.
     JunctionVectors end;
-    bool rejoins = false;  // True if an arc of the programmed radius joins the compensated ends (NCT 15.5.4).
+    // True if the side changes after an arc without an intersection; an arc of the programmed radius then joins the compensated ends (NCT
+    // 15.5.4).
+    bool rejoins = false;
     // True if the corner rules determine the vectors in `end`, and the tool is on the same side of this motion and the next motion.
     bool regular = false;
     std::uint64_t number = 0;       // number of the motion's contour piece in GougeDetector
@@ -99,7 +101,7 @@ class RadiusCompensation {
   void resume_from(const Memory& memory) { now_ = memory; }
 
  private:
-  // The functions below are the input.
+  // The functions below are the input: they accept actions and store motions in the window.
   void next(Action& action);
   void frame_change(Action& action, FrameChange& frame);
   void motion(Action& action);
@@ -115,7 +117,7 @@ class RadiusCompensation {
   std::optional<JunctionVectors> vectors_to(const Motion& next, const ContourElement& second);
   ContourElement element_of(const Motion& motion) const;
 
-  // The functions below are the output.
+  // The functions below are the output: they check and emit the stored motions.
   enum class RepairOutcome : std::uint8_t { sound, next_fails, first_fails };
   RepairOutcome mend_first();
   std::span<const CompensatedBlock> checked_blocks();
@@ -136,7 +138,7 @@ class RadiusCompensation {
   Vec2 in_plane(const Axes& axes) const { return {axes[now_.first], axes[now_.second]}; }
   void fault(const Alarm& alarm, const Origin& origin) { fault_ = CompensationFault{alarm, origin}; }
 
-  // The functions below access the window.
+  // The functions below access the window of stored motions.
   Held& held(std::size_t i) { return now_.window[(now_.head + i) % now_.window.size()]; }
   Held& last_held() { return held(now_.count - 1); }
   void drop_first() { now_.head = (now_.head + 1) % now_.window.size(), --now_.count; }

@@ -86,7 +86,7 @@ void emit_arc(Edges& path, const Carrier& c, Vec2 a, Vec2 b, double about) {
 
 /// A sequence of consecutive chords that all lie on the same carrier.
 struct Carriers::Run {
-  std::size_t first = 0, count = 0;  // index of the first chord, and number of chords
+  std::size_t first = 0, count = 0;  // index of the first chord of the run, and number of its chords
   std::optional<std::uint32_t> carrier;
 };
 

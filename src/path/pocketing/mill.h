@@ -49,7 +49,7 @@ struct Job {
   double step = 5;        // distance between passes
   double top = 0;         // Z level of the material's surface
   double depth = 1;       // depth of the pocket below the level `top`
-  double layer = 1;       // greatest depth of one layer
+  double layer = 1;       // greatest depth of one layer, mm
   double clearance = 5;   // height of the level for rapid motion above the level `top`
   double overrun = 2;     // how far the circumference of the tool moves beyond open sides
   double angle = 0;       // angle between the zigzag or comb rows and the X axis, degrees
@@ -69,7 +69,7 @@ enum class MoveKind : std::uint8_t { rapid, feed, plunge };
 struct Move {
   MoveKind kind = MoveKind::rapid;
   Vec3 to;
-  double bulge = 0;  // shape of the arc, defined as in Edge; 0 for a straight move
+  double bulge = 0;  // the shape of an arc as Edge defines it (bulge); 0 for a straight move
 };
 
 /// The number of plunges into uncut material, by the type of the plunge.
@@ -88,7 +88,7 @@ struct AreaPath {
   std::size_t layers = 0;
   std::size_t lifts = 0;   // number of times the tool is lifted within a layer
   std::size_t fields = 0;  // number of areas (Field) within which the tool's centre can move without a lift
-  double step = 0;         // the distance between passes that was used, mm
+  double step = 0;         // distance between neighbouring passes that the computation used, mm
 };
 
 /// Returns the Z levels of the layers from the top down. All layers have the same depth.

@@ -49,7 +49,7 @@ class SmoothPath {
   bool empty() const { return length_.empty(); }
   double begins() const { return at_.front(); }
   double ends() const { return at_.back(); }
-  /// The length, mm, up to which the path is final.
+  /// The path length, mm, up to which the path is final.
   double settled() const { return settled_; }
 
   double at(std::size_t vertex) const { return at_[vertex]; }
@@ -166,7 +166,7 @@ class SmoothPath {
   SlowWidth slow_;
   // width, mm, that the search for a chain of corners found at the last vertex; the search at the next vertex starts from it
   double last_width_ = widest;
-  bool has_one_tolerance_ = true;  // true if all corners have the same tolerance
+  bool has_one_tolerance_ = true;  // true if all corners of the stored path have the same tolerance
   double reach_ = 0;               // the greatest width of a single rounding, mm
   std::size_t done_ = 0;           // number of vertices at the start of the path whose roundings are final
   double settled_ = 0;

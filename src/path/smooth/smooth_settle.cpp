@@ -117,7 +117,7 @@ double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
   const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
   const auto towards = [&](double square) {
     return 0.997 * std::sqrt(std::sqrt(most / square));
-  };  // The displacement grows with the square of the width.
+  };  // The displacement of the path grows with the square of the width of the roundings.
   double square = square_near_vertex(vertex, width, most);
   if (square > most) {
     while (square > most && width > narrowest) {
@@ -131,7 +131,7 @@ double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
     square = square_near_vertex(vertex, wider, most);
     if (square > most) break;
     width = wider;
-    // The vertices are so close that the search at the next vertex continues from this width.
+    // The vertices are so close that the search at the next vertex continues from this width. The search at this vertex therefore ends.
     if (length_[vertex - 1] < 0.25 * width) break;
   }
   return width;
