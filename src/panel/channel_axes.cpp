@@ -37,7 +37,8 @@ void ChannelAxes::take(Leg& leg, const TimedCells& cells, const MotionLimits& li
 
 void ChannelAxes::plan(Planned& planned, double dry_feed) {
   planned_ = &planned;
-  Leg& leg = legs_.emplace_back(planned.limits(), rate_);  // The container is a deque, so the address of its element stays valid.
+  // The list of legs is a deque, so the address of the new leg stays valid when further legs are added.
+  Leg& leg = legs_.emplace_back(planned.limits(), rate_);
   planned.on_cells = [this, &leg, &limits = planned.limits()](const TimedCells& cells) { take(leg, cells, limits); };
   planned.number_motions([this, &leg](std::uint64_t motion) {
     pending.motion = motion;

@@ -41,8 +41,8 @@ struct PanelMeeting {
 /// The limit that determines the speed of the axes.
 struct PanelLimit {
   LimitedBy by;
-  bool rapid = false;  // true if the motion is rapid
-  double until = 0;    // time of the plan until which the limit applies, s
+  bool rapid = false;  // true if the speed of a rapid motion is limited
+  double until = 0;    // time since the start of the leg until which this limit applies, s
 };
 
 class ChannelAxes {
@@ -62,9 +62,10 @@ class ChannelAxes {
   ServoClock clock;
   PanelBlock pending;            // the motion on which the planner is working
   PanelBlock on;                 // the block that the axes are executing, or executed last
-  Placement placement;           // position of the work coordinate system
+  Placement placement;           // position of the work coordinate system in machine coordinates
   std::uint32_t modes_of = ~0u;  // Origin::number of the block to which the modes in `pending` belong
-  // `holds_next`: the control must hold before the next block. `holds_again`: the control will ask once more before this block.
+  // `holds_next` is true if the control must hold before the next block. `holds_again` is true if the control will call is_held() once more
+  // for the same block and must then continue.
   bool holds_next = false, holds_again = false;
   bool has_ended = false;  // True if the channel's program has ended, so that nothing is left to plan.
   bool enters = false;     // True if this channel, which is not the program's own channel, is executing a line that the operator entered.
@@ -78,7 +79,7 @@ class ChannelAxes {
   ///   meeting  the meeting at which the channel waits after the leg; nullptr: nothing follows the leg
   ///   at       the block with the waiting code of this meeting
   void end_leg(std::shared_ptr<PanelMeeting> meeting = {}, const Origin& at = {});
-  /// Replaces the meeting at the end of the leg that was planned last.
+  /// Replaces the meeting (the waiting code with its channels) at the end of the leg that was planned last.
   void meet(const std::shared_ptr<PanelMeeting>& meeting) {
     if (!legs_.empty()) legs_.back().meeting = meeting;
   }
@@ -110,9 +111,10 @@ class ChannelAxes {
   const PanelMeeting* waits_for() const;
   /// The block with the waiting code if the channel is waiting; otherwise the block that the axes are executing.
   const Origin& block() const { return waits_for() != nullptr ? legs_.front().waits_in : on.origin; }
-  /// Discards the finished legs, unless the control waits at a meeting. Call it when the motion of all channels is over.
+  /// Discards the finished legs (motions up to a stop), unless the control waits at a meeting. Call it when the motion of all channels is
+  /// over.
   void settle();
-  /// Discards all motion. The axes stop at their current position.
+  /// Discards all planned motion of the channel. The axes stop at their current position.
   void drop();
 
  private:
@@ -126,8 +128,8 @@ class ChannelAxes {
     std::size_t offered = 0;         // number of cells in the first element of to_come that are already offered
     double seconds = 0;              // planned duration of the leg (the motion up to the next stop), s
     bool planned_all = false;
-    std::shared_ptr<PanelMeeting> meeting;  // the meeting at the end of the leg
-    Origin waits_in;                        // the block with the waiting code of this meeting
+    std::shared_ptr<PanelMeeting> meeting;  // the waiting code, with its channels, at the end of the leg; nullptr: there is none
+    Origin waits_in;                        // the block with the waiting code at the end of the leg
   };
   static constexpr double enough = 3 * Playback::reserve;  // Planning continues while less than this time is planned ahead of the clock, s.
   // Limit of stored cells, about 40 MB. It is reached only if another channel needs much more planning than this channel.
@@ -139,10 +141,10 @@ class ChannelAxes {
   void offer(Leg& leg);
   void take(Leg& leg, const TimedCells& cells, const MotionLimits& limits);
 
-  Planned* planned_ = nullptr;  // The planner of the last leg; nullptr when this leg is completely planned.
+  Planned* planned_ = nullptr;  // The planner of the leg that was started last; nullptr when this leg is completely planned.
   std::deque<Leg> legs_;
   std::size_t cells_ = 0;         // number of cells in all legs that are not yet offered to a playback
-  const Leg* playing_ = nullptr;  // The first leg while the clock plays it; otherwise nullptr.
+  const Leg* playing_ = nullptr;  // the first of the stored legs while the clock plays its motion; otherwise nullptr
   double share_ = 1;              // the last requested override, as a factor of the planned speed
 };
 

@@ -22,9 +22,9 @@ struct PanelBlock {
   Origin origin;
   std::uint64_t motion = 0;  // Number of the motion. AxisMotion counts from 1 at each start of motion; 0 means no motion.
   Axes work{}, machine{};    // work and machine coordinates at the end of the motion, mm or degrees
-  Placement placement;       // position of the work coordinate system
+  Placement placement;       // position of the work coordinate system in machine coordinates during the motion
   double feed = 0;           // programmed feed, mm/min; 0 in a rapid motion
-  bool by_turn = false;      // true if the feed was programmed per revolution of the spindle
+  bool by_turn = false;      // true if the feed of the motion was programmed per revolution of the spindle
   std::uint32_t number = 0;  // Number of the block in the run, without the operator's lines; 0: the block is not part of the program.
   bool entered = false;      // True if the motion comes from a line that the operator entered. Such a line is in no file.
   std::shared_ptr<const PanelModes> modes;

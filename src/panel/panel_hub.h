@@ -41,7 +41,8 @@ class PanelHub {
     return places_.size() < max_machines && places_.emplace(place->name, place).second;
   }
   void remove(const std::string& name) {
-    std::shared_ptr<HubMachine> last;  // this pointer destroys the machine after the lock is released
+    // This pointer is declared before the lock, so that the machine is destroyed after the lock is released.
+    std::shared_ptr<HubMachine> last;
     const std::lock_guard hold(lock_);
     const auto found = places_.find(name);
     if (found == places_.end()) return;

@@ -32,7 +32,8 @@ bool are_same(const Setup& a, const Setup& b) {
 
 bool is_same(const PanelLocation& a, const PanelLocation& b) {
   if (a.mode != b.mode || a.number != b.number || a.line != b.line || a.file != b.file) return false;
-  if (a.mode == PanelMode::running) return true;  // While the program runs, one save per block is sufficient.
+  // While the program runs, the location is saved once per block, so a change of the axis positions alone is not saved.
+  if (a.mode == PanelMode::running) return true;
   const auto are_near = [](const Axes& one, const Axes& other) {
     return std::equal(one.begin(), one.end(), other.begin(), [](double x, double y) { return std::abs(x - y) <= same_place; });
   };
@@ -57,7 +58,7 @@ void PanelMachine::save_location(const PanelState& now) {
   const bool moves_elsewhere = running_ && running_->of == Run::Of::line;
   if (runs) spot.number = lane_->on.number;
   else if (stepping_->next()) spot.number = stepping_->next()->number - std::uint32_t(entered_);
-  // At a block without a motion the saved number does not change.
+  // During a line of the operator, and at a block without a motion, the saved block number does not change.
   if (moves_elsewhere || (runs && spot.number == 0)) spot.number = saved_location_.number;
   spot.line = now.line.number, spot.text = now.line.text;
   const std::uint16_t file = going_              ? going_->place->restart.at.file
@@ -104,7 +105,7 @@ void PanelMachine::keep_tables(const Setup& before) {
 }
 
 tl::expected<PanelTables, std::string> PanelMachine::tables() {
-  // The result is shared with the request, which may be executed after this call has timed out.
+  // The tables are in shared memory, because the request that fills them may be executed after this call has timed out.
   const auto tables = std::make_shared<PanelTables>();
   const Answer answer = ask([this, tables]() -> Answer {
     if (!running_) note_variables(last_line_);

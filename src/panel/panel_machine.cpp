@@ -18,7 +18,7 @@ using Failed = tl::unexpected<std::string>;
 
 constexpr auto look_every = std::chrono::milliseconds(4);  // interval at which the machine's thread checks a motion
 constexpr double seen_share = 1e-6;  // least decrease of the override (0 to 1) that counts as the effect of a feed hold
-constexpr auto seen_within = std::chrono::milliseconds(20);  // time limit until an effect must be visible: some axes can hardly brake
+constexpr auto seen_within = std::chrono::milliseconds(20);  // time limit until a request's effect is visible; some axes can hardly brake
 // Time limit for the start of a request. If it expires, the machine is busy and the request is dropped.
 constexpr auto answers_within = std::chrono::seconds(2);
 constexpr auto done_within = std::chrono::seconds(60);  // time limit for the completion of a request that has started
@@ -35,7 +35,7 @@ void wait_until_seen(Is is) {
 PanelMachine::~PanelMachine() { switch_off(); }
 
 void PanelMachine::switch_off() {
-  ends_ = true;  // The flag is set first, so that stop_at_once() does not count as an emergency stop.
+  ends_ = true;  // This flag is set before stop_at_once() is called, so that the stop does not count as an emergency stop of the operator.
   stop_at_once();
   const std::lock_guard one_at_a_time(off_lock_);
   thread_.wait();
@@ -50,7 +50,7 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
     const std::lock_guard hold(lock_);
     if (ends_) return Failed(translated(texts::panel::off));
     requests_.push_back({[what = std::move(what), lang = thread_language()] {
-                           set_thread_language(lang);  // the messages of the request are in the caller's language
+                           set_thread_language(lang);  // error sentences are in the language of the thread that made the request
                            return what();
                          },
                          {},
@@ -260,7 +260,7 @@ PanelMachine::Answer PanelMachine::hold() {
 }
 
 PanelMachine::Answer PanelMachine::reset() {
-  stops_ = true;  // The flag interrupts a block that would never end.
+  stops_ = true;  // The flag stops the session, because the present block of the program might never end.
   return ask([this]() -> Answer {
     panel_state_.message.clear(), panel_state_.why.clear();
     for (const auto& lane : lanes_) lane->clock.release();
@@ -375,7 +375,7 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double distance,
 }
 
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
-  // The number is shared with the request, which may be executed after this call has timed out.
+  // The number is in shared memory, because the request that sets it may be executed after this call has timed out.
   const auto number = std::make_shared<std::size_t>(0);
   const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
     if (panel_state_.stops.size() == max_stops) return Failed(translated(texts::panel::too_many_stops));

@@ -86,19 +86,22 @@ struct PanelLocation {
   std::vector<Axes> stands{};  // The machine position of each channel, by index; empty if the machine has only one channel.
 };
 
-/// The functions with which a machine saves its data. The machine's thread calls them.
+/// Functions of the client with which a PanelMachine saves its data for a later start of the server. The machine's thread calls them.
 struct PanelRecorder {
-  /// Saves the location of the machine. The machine calls it at each block.
+  /// A function of the client that saves the program line and the axis positions, for a restart after power-off. PanelMachine calls it at
+  /// each block.
   ///   returns  an error sentence if the location cannot be saved
   std::function<std::string(const PanelLocation&)> spot;
-  /// Adds an entry to the log. The kinds are "run" "hold" "reset" "emergency" "override" "line" "restart" "stopped" "ended".
+  /// A function of the client that adds an entry to the log of the operator's actions. The kinds of entries are "run" "hold" "reset"
+  /// "emergency" "override" "line" "restart" "stopped" "ended".
   std::function<void(const char* kind, const std::string& text, std::uint32_t line)> event;
   std::function<void(const AlarmReport&)> alarm;
-  /// Saves table changes that a line of the operator has made, so that later sessions start with the changed tables.
+  /// A function of the client that saves table changes which a line of the operator has made, so that later sessions start with the changed
+  /// tables. PanelMachine calls it after such a line.
   ///   returns  an error sentence if the changes cannot be saved
   std::function<std::string(const Setup& before, const Setup& after)> tables;
-  /// The machine calls this function before the program starts from its beginning. The function reads the program file from the disk. Later
-  /// changes of the file have no effect until the next call.
+  /// A function of the client that reads the program file from the disk. PanelMachine calls it before the program starts from its
+  /// beginning. Later changes of the file have no effect until the next call.
   std::function<void()> begins;
 };
 
@@ -126,7 +129,7 @@ struct PanelRun {
   enum class Of : std::uint8_t { program, line, hand };
   Of of = Of::program;
   std::size_t channel = 0;           // index of the channel in which an entered line is executed; only for Of::line
-  std::unique_ptr<Planned> by_hand;  // planner of a motion by hand; only for Of::hand
+  std::unique_ptr<Planned> by_hand;  // planner of a motion that the operator commands by hand; only for Of::hand
   bool planned_all = false;
   Session::State came_to = Session::State::running;
 };
@@ -144,9 +147,9 @@ struct PanelApproach {
     std::string text;
   };
   std::shared_ptr<const RestartPoint> place;
-  std::deque<Line> before;      // lines to execute before the axes move along the paths
-  std::deque<PanelPath> paths;  // the paths to move along, one after another
-  std::deque<Line> after;       // lines to execute after the motion along the paths
+  std::deque<Line> before;      // lines of the program's language that the control executes before the axes move to the restart position
+  std::deque<PanelPath> paths;  // paths along which the channels move to the restart position, one path after another
+  std::deque<Line> after;       // lines that the control executes after the axes have moved along these paths
   bool is_there = false;
 };
 
@@ -215,7 +218,8 @@ class PanelMachine {
 
   /// Searches for a block at which the program could continue. Returns what the search has found so far.
   PanelSearch::Answer find(const PanelSearch::SearchRequest& request) {
-    // The machine is searching for its own location in a run with the new tables, so this search must wait.
+    // While edited tables are applied, the machine uses the search itself: it searches for its own location in a run with the new tables.
+    // The caller's request must therefore wait.
     if (state().takes_tables) return {};
     return search_->find(request);
   }
@@ -261,7 +265,7 @@ class PanelMachine {
 
   PanelMachine(SessionOpener opens, PanelRecorder keeper, std::vector<Axes> stands)
       : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
-  // The functions below are in panel_machine.cpp: the thread and the requests.
+  // The functions below are in panel_machine.cpp. They are the machine's thread and the operator's requests.
   Answer ask(std::function<Answer()> what);
   void live();
   bool look_round();
@@ -357,7 +361,8 @@ class PanelMachine {
   std::map<std::string, double> variables_;
   std::map<std::string, std::uint32_t> set_by_;  // The program line that set each variable last. The key is the name of the variable.
   std::uint32_t last_line_ = 0;                  // number of the program line of the present block
-  PanelState panel_state_;                       // The part of the state that show() does not compute: switches, stop points, message.
+  // The part of the displayed state that the machine's thread sets directly (switches, stop points, message); show() computes the rest.
+  PanelState panel_state_;
 
   // Several threads use the members below; the mutex lock_ protects these members.
   std::mutex lock_;

@@ -38,7 +38,7 @@ PanelMachine::Answer PanelMachine::make_lanes() {
   own_ = session_->own();
   for (std::size_t i = 0; i < lanes_.size() && stands_.size() == lanes_.size(); ++i)
     if (i != own_) lanes_[i]->clock.stand_at(stands_[i]);
-  lane_ = lanes_[own_].get();  // From this line on, other threads read lane_.
+  lane_ = lanes_[own_].get();  // From here on other threads read the object of the program's own channel through this pointer.
   return {};
 }
 

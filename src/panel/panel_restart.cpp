@@ -17,7 +17,7 @@ using Failed = tl::unexpected<std::string>;
 
 std::string no_room() { return translated(texts::panel::no_room_in_word); }
 
-constexpr double nowhere = -1e9;  // A clearance in mm that is so low that the path to the block needs no rise.
+constexpr double nowhere = -1e9;  // a clearance level in mm that is far below every position, so that the path to the block needs no rise
 // Tolerance of the end of a path, mm or degrees. It is needed because the user sees the end of the path rounded to thousandths.
 constexpr double at_place = 1e-3;
 
@@ -43,7 +43,7 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t
 
 tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const RestartPoint>& place,
                                                                         const WayRules& rules) {
-  // The result is shared with the request, which may be executed after this call has timed out.
+  // The result is in shared memory, because the request that fills it may be executed after this call has timed out.
   const auto sheets = std::make_shared<std::vector<PanelSheet>>();
   const Answer answer = ask([sheets, this, place, rules]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
@@ -244,7 +244,8 @@ void PanelMachine::set_other_channel(const OtherChannelState& channel) {
   lane.on.modes = std::make_shared<PanelModes>(PanelModes{channel.restart.in_force, channel.calls});
   lane.has_ended = channel.is_over;
   if (!channel.waits) return;
-  begin_leg(channel.channel);  // This leg has no motion; the call of waits() below ends it at the meeting.
+  // This leg of the channel has no motion; the following call of waits() ends it at the meeting with the other channels.
+  begin_leg(channel.channel);
   session_->together().waits(channel.channel, *channel.waits);
   lane.go_on();
 }

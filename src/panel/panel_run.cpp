@@ -20,7 +20,8 @@ constexpr double farthest = 1e5;       // the longest single motion by hand, mm 
 
 }  // namespace
 
-/// Observes each step before the planner receives the step.
+/// Handles each step before the planner receives it: passes it to the observer, displays a message, holds the program at a stop, and notes
+/// the block of a motion.
 void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   if (looks_on_) looks_on_(step);
   const bool is_own = &lane == lane_;
@@ -60,7 +61,8 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
 void PanelMachine::begin_leg(std::size_t channel) {
   ChannelAxes& lane = *lanes_[channel];
   Control& control = *session_->channels()[channel].control;
-  // The new function replaces the function that used the planner of the previous leg.
+  // The planner of the channel's new leg receives the steps from here on; this function replaces the one that used the planner of the
+  // previous leg.
   session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };
   lane.plan(session_->plan(channel), panel_state_.shares.dry_feed);
   session_->change_outlets();

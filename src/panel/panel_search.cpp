@@ -27,7 +27,7 @@ void PanelSearch::begin(const PanelStart& start) {
   {
     const std::lock_guard hold(lock_);
     to_begin_ = start;
-    stops_ = true;  // The flag interrupts the search that is in progress.
+    stops_ = true;  // The flag stops the search that is in progress, because its results are no longer valid.
     answer_.reset();
   }
   wakes_.notify_all();
@@ -187,7 +187,7 @@ void PanelSearch::run_each_channel(const SearchRequest& request) {
   Session& session = *run_.session;
   session.control().watch_calls();
   run_.stepping = std::make_unique<Stepping>(session);
-  session.alone(session.own());  // The own channel starts before the other channels.
+  session.alone(session.own());  // The program's own channel starts before the other channels.
   (void)run_.stepping->go(Stepping::How::block);
   for (std::size_t i = 0; i < session.channels().size() && i < request.blocks.size(); ++i)
     if (i != session.own())

@@ -40,7 +40,7 @@ struct RestartPoint {
   Restart restart;
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
-  Placement placement;                            // position of the work coordinate system
+  Placement placement;                            // position of the work coordinate system in machine coordinates
   Stepping::Memory memory;                        // snapshot of the run when its control has reached this position
   bool in_block = false;                          // true if the position is over a drilled hole of a canned cycle
   std::optional<BlockSearch> by_control;          // Result of the control's own block search; nullopt if the control has no block search.
@@ -53,9 +53,10 @@ class PanelSearch {
     StopPoint target;
     // Number of the drilled hole of a canned cycle over which the program continues; 0: it continues before the block.
     std::uint32_t hole = 0;
-    bool by_control = false;  // True: also execute the control's own block search. This needs one more execution of the program.
-    // The number of blocks that each channel must have executed, by index of the channel. Empty: the virtual time of the own channel
-    // determines the positions of the other channels.
+    // True: the search also executes the block search of the control itself. This needs one more execution of the program.
+    bool by_control = false;
+    // The number of blocks that each channel must have executed at the restart position, by index of the channel. Empty: the virtual time
+    // of the program's own channel determines the positions of the other channels.
     std::vector<std::uint64_t> blocks{};
     friend bool operator==(const SearchRequest&, const SearchRequest&) = default;
   };
@@ -113,7 +114,8 @@ class PanelSearch {
   std::optional<SearchRequest> request_;
   Lang lang_{};
   bool searching_ = false;
-  std::optional<Answer> answer_;  // the answer to request_; nullopt: the answer is not found yet
+  // the restart position that answers the last request, or the reason why there is none; nullopt: the search is not complete
+  std::optional<Answer> answer_;
   Thread thread_;
 };
 

@@ -13,19 +13,19 @@ namespace kadr {
 struct PanelSheet {
   /// How an item on the sheet gets its required value.
   enum class By : std::uint8_t {
-    nothing,  // the item already has the required value
-    path,     // the axes move to the required position
+    nothing,  // the present value is the required value, so nothing must be done
+    path,     // the axes move along a path to the required position
     line,     // a line sets the value before the axes move: tool, spindle, coolant
     memory,   // the value is set when the control's memory is restored, as if the program had been executed
   };
   struct Row {
     std::optional<InForce> required, now;
     By by = By::nothing;
-    bool may_be_left = false;  // true if the operator may choose to keep the present value
+    bool may_be_left = false;  // true if the operator may choose to keep the present value of the item
   };
   std::vector<Row> rows;
   std::vector<WayPoint> path;
-  RestartBlocks blocks;  // The blocks that set everything that is required, for use on another machine with the same control.
+  RestartBlocks blocks;  // The program blocks that set everything the restart requires, for use on another machine with the same control.
 };
 
 /// Returns the key with which a request names an item of the sheet. The key consists of the item's kind and name.

@@ -32,9 +32,10 @@ ServoClock::~ServoClock() {
 void ServoClock::play(Playback* playback) {
   std::unique_lock hold(idle_lock_);
   playback_.store(nullptr, std::memory_order_release);
-  idles_.wait(hold, [this] { return idle_; });  // The call waits for one instant of the clock at most.
+  idles_.wait(hold, [this] { return idle_; });  // This wait ends after one instant of the clock at most.
   if (playback == nullptr) return;
-  now_.played = 0, now_.motion = 0, now_.tag = 0;  // The old tag may refer to the file of an entered line, which no longer exists.
+  // The tag of the previous motion is deleted, because it may refer to the file of an entered line, which no longer exists.
+  now_.played = 0, now_.motion = 0, now_.tag = 0;
   now_.plays = true;
   show();
   playback_.store(playback, std::memory_order_release);

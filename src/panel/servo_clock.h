@@ -17,16 +17,16 @@ namespace kadr {
 
 /// The state of the axes at one instant of the servo clock.
 struct ServoSample {
-  std::uint64_t instant = 0;  // number of instants so far at which a motion was played
+  std::uint64_t instant = 0;  // number of instants so far at which the clock played a motion
   Axes machine{};             // position of the axes in machine coordinates, mm or degrees
   std::uint64_t tag = 0;      // tag of the plan at this position; Spent::of() returns the program line of a tag
   std::uint64_t motion = 0;   // Playback::motion()
   double share = 1;           // the override that is reached, as a factor of the planned speed
-  double played = 0;          // plan time that has been played, s
-  double speed = 0;           // path speed of the axes X, Y and Z together, mm/min
-  bool plays = false;         // true if there is more motion to play
-  bool held = false;          // true if an override of 0 (feed hold) has stopped the axes
-  double late = 0;            // the greatest delay of an instant so far, s
+  double played = 0;   // time of the plan that has been played, s; at an override below 1 it passes more slowly than the clock's time
+  double speed = 0;    // path speed of the axes X, Y and Z together, mm/min
+  bool plays = false;  // true if the playback has more motion to play
+  bool held = false;   // true if an override of 0 (feed hold) has stopped the axes
+  double late = 0;     // the greatest delay of an instant of the servo clock so far, s
 };
 
 class ServoClock {
@@ -59,8 +59,8 @@ class ServoClock {
   std::atomic<Playback*> playback_{nullptr};
   std::atomic<bool> stopped_{false}, ends_{false};
   std::mutex idle_lock_;
-  std::condition_variable wakes_;  // notified when the clock has motion to play
-  std::condition_variable idles_;  // notified when the clock's thread begins to wait
+  std::condition_variable wakes_;  // condition that wakes the clock's thread when there is motion to play
+  std::condition_variable idles_;  // condition that is notified when the clock's thread begins to wait
   bool idle_ = false;
   ServoSample now_;  // The present sample. Other threads may write it only while the clock's thread waits.
 

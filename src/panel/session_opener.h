@@ -21,7 +21,8 @@ using SessionOpener =
 /// The start position and the switches of a run.
 struct PanelStart {
   std::optional<Axes> axes;  // start position of the own channel in machine coordinates; nullopt: the start position is in the set-up
-  // Start positions of all channels, by index, where the own channel uses `axes`; empty: the start positions are in the set-up.
+  // Start positions of all channels, by index, for machines with several channels; empty: the start positions are in the set-up. For the
+  // program's own channel `axes` is used instead.
   std::vector<Axes> stands{};
   std::set<int> skip;
   bool optional_stop = false;

@@ -33,7 +33,7 @@ void Connection::accept(const PageRequest& request) {
   beast::get_lowest_layer(socket_).socket().set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(PageSession::max_message);
-  socket_.auto_fragment(false);  // without this option, a long message would be sent in pieces of 4 KiB
+  socket_.auto_fragment(false);  // fragmentation is off, because it would divide a long message into pieces of 4 KiB
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (error) return self->lost();
     if (!begin_alone([self] { self->answer_all(); })) return self->close(websocket::close_code::try_again_later);
@@ -124,7 +124,8 @@ void Connection::write_next() {
   {
     const std::lock_guard hold(lock_);
     if (over_ || out_.empty()) return;
-    out = &out_.front();  // the address stays valid, because this element is removed only after the message is sent
+    // The address of the message stays valid after the lock is released, because the message is removed only when it has been sent.
+    out = &out_.front();
   }
   socket_.binary(out->binary);
   socket_.async_write(boost::asio::buffer(out->bytes), [self = shared_from_this()](beast::error_code error, std::size_t) {

@@ -26,7 +26,7 @@ class Connection : public PageLine, public std::enable_shared_from_this<Connecti
 
   void accept(const PageRequest& request);
 
-  // ---- functions that are called by the thread that answers requests
+  // The thread that answers requests calls the following functions to send a message to the page.
   bool text(std::string message) override { return send({std::move(message), false}); }
   bool frame(std::string bytes) override { return send({std::move(bytes), true}); }
 
@@ -53,7 +53,7 @@ class Connection : public PageLine, public std::enable_shared_from_this<Connecti
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<std::atomic<int>> sessions_;
   std::mutex lock_;                       // mutex that protects all members below
-  std::unique_ptr<PageSession> session_;  // nullptr after the session has ended
+  std::unique_ptr<PageSession> session_;  // the session of the page; nullptr after the session has ended
   std::condition_variable news_;
   std::deque<Question> questions_;
   std::size_t question_bytes_ = 0;

@@ -1,5 +1,5 @@
-// Checks the host name and the origin of requests, and creates random tokens. Used by server/http_server; tested by
-// tests/server/guard_test.cpp.
+// Guard: decides which requests the server answers. This file checks the host name and the origin of requests, and creates random tokens.
+// Used by server/http_server; tested by tests/server/guard_test.cpp.
 
 #include "server/guard.h"
 

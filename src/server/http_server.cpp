@@ -1,4 +1,4 @@
-// Accepts connections and answers HTTP requests (HttpServer). Used by cli/serve; tested by tests/serve.py.
+// HttpServer: the server of the page. This file accepts connections and answers HTTP requests. Used by cli/serve; tested by tests/serve.py.
 
 #include "server/http_server.h"
 

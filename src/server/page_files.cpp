@@ -1,4 +1,4 @@
-// Determines the content type of a file by its name. Used by server/http_server.
+// This file determines the content type (MIME type) of a file of the page by its name. Used by server/http_server.
 
 #include "server/page_files.h"
 

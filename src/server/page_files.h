@@ -1,5 +1,5 @@
 #pragma once
-// The files of the built page, which dev/embed.cpp embeds in the program.
+// This file gives access to the files of the built page, which dev/embed.cpp embeds in the program.
 
 #include <string_view>
 

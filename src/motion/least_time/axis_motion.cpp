@@ -253,7 +253,8 @@ void AxisMotion::smooth(const Step& step, const Motion& motion, std::uint64_t nu
 
 void AxisMotion::end_smoothing() { now_.smoothing.finish(line_); }
 
-/// Adds a thread to the chain. Consecutive threads continue without a stop; only the first thread waits for the spindle (nct 4.4).
+/// Adds a thread-cutting motion to the chain. Consecutive threads continue without a stop; only the first thread waits for the spindle (nct
+/// 4.4).
 void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent) {
   const bool starts_thread = motion.detail->start_angle.has_value();
   if (starts_thread || now_.threads.full()) cut_threads();
@@ -322,7 +323,9 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
 /// motion had no tool centre point control, the tip is assumed to swing with its full distance from the rotary axes.
 double AxisMotion::corner_of(const Step& step, const TcpPiece& piece, double tolerance) const {
   if (!(tolerance > 0)) return 0;
-  constexpr double used = 0.8;  // Fraction of the tolerance that is used. The rest is a reserve for effects of higher order.
+  // Fraction of the corner tolerance that the rounding may use. The rest is a reserve for effects of higher order, because tcp_tolerance()
+  // is a first-order estimate.
+  constexpr double used = 0.8;
   if (now_.led.known) return tcp_tolerance(now_.led, piece, used * tolerance, step.from.space->rotary_axes());
   return tolerance / (1 + rad_per_deg * step.from.space->arm(step.from.machine));
 }
@@ -332,11 +335,11 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const Curve& curve = step.curve();
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
   const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
-  // The tolerance of the corners between the chords of a curve.
+  // The tolerance of the corners between the chords by which a curve is replaced.
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;
   const double junction = now_.exact ? 0 : tolerance;
   const bool dry = dry_feed_ > 0 && (motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline);
-  const SpindleTurning any;  // The dry-run feed does not depend on the spindle speed, so any spindle will do.
+  const SpindleTurning any;  // A default spindle, because the dry-run feed does not depend on the spindle speed.
   const Pace pace(roles_, curve, motion, dry ? dry_feed_ : step.time.feed, rapid_, dry ? any : now_.spindle.turning());
   const int pieces = std::max(path.pieces(chord_of_tolerance * rounding), pace.pieces());
   MotionTime time = step.time;

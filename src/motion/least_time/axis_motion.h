@@ -57,12 +57,12 @@ class AxisMotion {
   /// Sets the rotation of the spindles at the program start and the parameters of smoothing (G5.1).
   void start(const Setup& setup, const std::vector<std::string>& axes);
 
-  /// A callback for each motion before the motion is planned. `number` is the motion's number; the cells of the motion have this number as
-  /// CellSource::motion. `length` is the approximate total length of these cells in mm.
+  /// A function of the client that AxisMotion calls for each motion before it plans the motion. `number` is the motion's number; the cells
+  /// of the motion have this number as CellSource::motion. `length` is the approximate total length of these cells in mm.
   std::function<void(std::uint64_t number, double length)> on_motion;
 
-  /// A callback for each motion before the motion is planned. `number` is the motion's number; `from` has its start position and coordinate
-  /// frame.
+  /// A function of the client that receives where each motion starts; AxisMotion calls it before it plans the motion. `number` is the
+  /// motion's number; `from` has its start position and coordinate frame.
   std::function<void(std::uint64_t number, const ToolPosition& from)> on_place;
 
   /// Plans a step. The step must already have the time that it takes at the programmed feed.
@@ -114,10 +114,10 @@ class AxisMotion {
     TcpPiece led;       // the last planned piece, if tool centre point control was active in this piece
     SpindleClock spindle;
     Smoothing smoothing;
-    ThreadChain threads;  // consecutive threads that the planner has not planned yet
-    Spent thread_spent;   // activity and program line of the first thread in `threads`
+    ThreadChain threads;  // consecutive thread-cutting motions that the planner has not planned yet
+    Spent thread_spent;   // activity and program line of the first thread-cutting motion in `threads`
     PlanFaults faults;
-    double thread_angle = 0;  // spindle angle at which the next thread starts, in degrees after a zero pulse
+    double thread_angle = 0;  // spindle angle at which the next thread-cutting motion starts, in degrees after a zero pulse
   };
   struct Snapshot {
     Memory own;
@@ -159,7 +159,7 @@ class AxisMotion {
   Memory now_;
   Planner::Sink sink_;
   Planner planner_;
-  Smoothing::Line line_;  // passes the lines that Smoothing emits to the planner
+  Smoothing::Line line_;  // function that passes the lines which Smoothing emits to the planner
   StopToken stop_;
 };
 

@@ -187,8 +187,9 @@ Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
 /// end of the previous cell and has the polynomial coefficients `c`. The deviation is checked at the vertices and halfway between them. If
 /// the cell has few pieces, it is checked at more positions.
 double CellCutter::beyond(const double* c, double to, std::size_t last_piece) const {
-  constexpr double dense = 16;    // number of checked positions in a cell that lies within one piece
-  constexpr double used = 0.992;  // Fraction of the tolerance that is used. The rest is a reserve for the positions between the samples.
+  constexpr double dense = 16;  // number of checked positions in a cell that lies within one piece
+  // Fraction of the tolerance that a cell may use at the checked positions. The rest is a reserve for the positions between them.
+  constexpr double used = 0.992;
   double most = 0;
   const auto look = [&](double s, std::size_t piece) {
     const double z = s - cut_;

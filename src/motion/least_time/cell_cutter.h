@@ -36,9 +36,9 @@ class CellCutter {
 
   /// Prepares the object for the first cell of a path.
   void begin();
-  /// Divides the settled part of a path into cells and appends them to `out`. With `last` the path is complete, so all of it is divided. If
-  /// `stop` ends the work, the caller must not use the appended cells. `path` is in each call the same path or a copy of it, possibly
-  /// extended since the last call.
+  /// Divides the part of a path that later pieces cannot change into cells and appends them to `out`. With `last` the path is complete, so
+  /// all of it is divided. If `stop` ends the work, the caller must not use the appended cells. `path` is in each call the same path or a
+  /// copy of it, possibly extended since the last call.
   void cut(SmoothPath& path, bool last, StopToken stop, CutCells& out);
 
   bool has_cut() const { return cut_ > 0; }

@@ -26,7 +26,7 @@ class CellRing {
         spindle_(cells),
         path_(cells * axes * TimedCells::terms) {}
 
-  // The writer's thread calls the functions below.
+  // The thread that writes cells into the ring (the planner) calls the functions below.
 
   /// Appends the cells with the index `first` and above to the ring, as many as fit. Returns the number of appended cells.
   std::size_t offer(const TimedCells& cells, std::size_t first) {
@@ -51,8 +51,8 @@ class CellRing {
   /// Marks the end of the cells. After this call the writer must not offer further cells.
   void finish() { finished_.store(true, std::memory_order_release); }
 
-  // The reader's thread calls the functions below. Cells are numbered from 0 in the order in which the writer offered them; `cell` is such
-  // a number.
+  // The thread that reads cells from the ring (the servo clock) calls the functions below. Cells are numbered from 0 in the order in which
+  // the writer offered them; the parameter `cell` is such a number.
 
   bool finished() const { return finished_.load(std::memory_order_acquire); }
   std::uint64_t end() const { return end_.load(std::memory_order_acquire); }

@@ -30,7 +30,8 @@ bool LeastTime::newton_step() {
     if (i >= 2) {
       const double l = h2[i - 2] / h0[i - 2];
       d -= l * h2[i - 2];
-      h1[i - 1] -= l * h1[i - 2] * h0[i - 2];  // The element h1[i − 2] already belongs to L.
+      // The element h1[i − 2] already holds the factor l₁ of L and not the element of the Hessian, so it is multiplied by d.
+      h1[i - 1] -= l * h1[i - 2] * h0[i - 2];
       z -= l * step_[i - 2];
       h2[i - 2] = l;
     }
@@ -77,11 +78,12 @@ double LeastTime::line_search(double mu) {
   return 0;
 }
 
-/// Sets the first guess of the solution. The first cells get the earlier solution. After these cells the squared path speed b decreases
-/// from cell to cell. The decrease per cell grows to a tenth of b; `gently` is the number of cells after which a tenth is reached.
+/// Sets the first guess of the solution. The first cells get the speeds of the earlier solution. After these cells the squared path speed b
+/// decreases from cell to cell. The decrease per cell grows to a tenth of b; `gently` is the number of cells after which a tenth is
+/// reached.
 ///   returns  false if the guess exceeds a limit
 bool LeastTime::can_continue_crawling(double gently) {
-  constexpr double slowing = 0.1;  // greatest decrease of b per cell, as a fraction of b
+  constexpr double slowing = 0.1;  // greatest decrease of the squared path speed b per cell, as a fraction of b
   const double slow = ends_.guess.back(), size = path_->h[ends_.guess.size() - 1];
   for (const double floor : {slow, slow / 10, ends_.crawl / 1e4}) {
     double m = slow, cells = 0;
@@ -90,7 +92,7 @@ bool LeastTime::can_continue_crawling(double gently) {
       double less = slowing;
       if (gently > 1) less *= std::min(1.0, (cells += k < ends_.guess.size() ? 0 : 1) / gently) * std::min(1.0, path_->h[k] / size);
       m = k < ends_.guess.size() ? ends_.guess[k] : std::max(floor, m * (1 - less));
-      // Next to a stop or a reversal several cells have a common variable. The slowest of these cells determines the variable.
+      // Next to a stop or a reversal several cells have a common variable. The slowest of these cells determines the value of the variable.
       double& y = y_[variable_[k]];
       y = std::min(y, m / scale_[k]);
     }
@@ -99,15 +101,15 @@ bool LeastTime::can_continue_crawling(double gently) {
   return false;
 }
 
-/// Sets the first guess of the solution. The first cells get the earlier solution, and all later cells the speed of the last of these
-/// cells. Near the final stop and the reversals the speed is lower: at most the speed that a start from rest with constant jerk reaches at
-/// the same distance.
+/// Sets the first guess of the solution. The first cells get the speeds of the earlier solution, and all later cells the speed of the last
+/// of these cells. Near the final stop and the reversals the speed is lower: at most the speed that a start from rest with constant jerk
+/// reaches at the same distance.
 ///   returns  false if the guess exceeds a limit
 bool LeastTime::can_continue_to_stop() {
   constexpr int max_tries = 16;
   const double slow = ends_.guess.back();
   const std::size_t known = ends_.guess.size();
-  // The distance of each cell's middle from the nearest stop or reversal, mm.
+  // The path distance between the middle of each cell and the nearest stop or reversal, mm.
   std::vector<double> away(n_, std::numeric_limits<double>::infinity());
   double since_stop = std::numeric_limits<double>::infinity();
   const auto pass = [&](std::size_t k, bool stops) {
@@ -131,10 +133,11 @@ bool LeastTime::can_continue_to_stop() {
   return false;
 }
 
-/// Finds initial values of the variables that obey all limits. These are either an earlier solution that continues at a low speed, or a
-/// speed so low in every cell that all limits are far away.
+/// Finds initial values of the variables that obey all limits. These are the values of an earlier solution that continues at a low speed,
+/// or values for a speed so low in every cell that all limits are far away.
 bool LeastTime::first_guess() {
-  for (const double gently : {1., 30., 100., 300.})  // The value 1 means that the full decrease starts at the first new cell.
+  // number of new cells over which the deceleration grows to its full value; 1: at the first new cell
+  for (const double gently : {1., 30., 100., 300.})
     if (!ends_.guess.empty() && can_continue_crawling(gently)) return true;
   if (!ends_.guess.empty() && ends_.to_stop && can_continue_to_stop()) return true;
   if (!ends_.from_stop) return false;
@@ -151,11 +154,14 @@ bool LeastTime::first_guess() {
 }
 
 bool LeastTime::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
-  constexpr double smaller = 0.2;    // factor by which μ is reduced when the solution is near the optimum for the current μ
-  constexpr double accurate = 5e-4;  // Final accuracy: the fraction of the time by which μ may keep the result above the optimum.
-  // μ is reduced when the decrease that is predicted for the next step is below this fraction of the time that μ costs.
+  // factor by which the barrier parameter μ is reduced when the solution is near the optimum for the current μ
+  constexpr double smaller = 0.2;
+  // Final accuracy: μ is reduced until the logarithmic barrier makes the path time at most this fraction longer than the shortest time.
+  constexpr double accurate = 5e-4;
+  // The barrier parameter μ is reduced when the decrease that is predicted for the next step is below this fraction of the time that the
+  // barrier costs.
   constexpr double near_enough = 0.3;
-  constexpr int max_rounds = 4;   // The number of attempts to shorten a step in the cells in which the step violates limits.
+  constexpr int max_rounds = 4;   // greatest number of attempts to shorten a Newton step in the cells in which the step violates limits
   constexpr int max_steps = 150;  // greatest number of Newton steps; 25 to 45 steps suffice
   path_ = &path;
   ends_ = ends;

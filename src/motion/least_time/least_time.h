@@ -37,7 +37,8 @@ class LeastTime {
   int steps() const { return steps_; }
 
  private:
-  // Number of dummy variables after the last variable. The last cells refer to the dummy variables; their derivatives and steps are 0.
+  // Number of dummy variables that the vectors have after the last real variable. The neighbours of the last cells refer to these dummy
+  // variables, whose derivatives and steps are 0.
   static constexpr std::size_t beyond = 2;
   using Three = std::array<double, 3>;
   /// The three Bézier ordinates of the polynomial b in a cell: at its start, in its middle and at its end.
@@ -103,8 +104,8 @@ class LeastTime {
   // The derivatives x′, x″, x‴ at the sample positions of each cell; the index is (cell * axes + axis) * places + place.
   std::vector<double> x1_, x2_, x3_;
   std::size_t n_ = 0;  // number of cells
-  // Number of unknowns (variables). The middle ordinate m of a cell is scale · variable. A cell next to a stop or a reversal has the same
-  // variable as its neighbour.
+  // Number of unknowns (variables). The middle Bézier ordinate of b in a cell is the cell's variable times the cell's factor in scale_. A
+  // cell next to a stop or a reversal has the same variable as its neighbour.
   std::size_t variables_ = 0;
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
@@ -112,11 +113,14 @@ class LeastTime {
   std::vector<Moving> moving_;
   std::vector<std::array<Mix, 2>> mixes_;  // the first and the last Bézier ordinate of each cell as linear combinations of the variables
   std::vector<double> cap_;
-  std::vector<double> m_;                            // the middle Bézier ordinates of b, one per cell
-  std::vector<double> y_, trial_, step_, gradient_;  // vectors with one entry per variable of the solver
-  Diagonals hessian_, factors_;                      // `factors_` is the decomposition L D Lᵀ of the Hessian.
-  std::vector<char> broken_, was_broken_;  // One flag per group of cells. The flag is set if the step violates a limit in the group.
-  Height height_{};                        // time and sum of logarithms for the current values y_ of the variables
+  std::vector<double> m_;  // the middle Bézier ordinates of b, one per cell
+  // Vectors with one entry per variable of the solver. `y_` has the current values, and `trial_` the values after the step that is being
+  // tried.
+  std::vector<double> y_, trial_, step_, gradient_;
+  Diagonals hessian_, factors_;  // `factors_` is the decomposition L D Lᵀ of the Hessian.
+  // One flag per group of neighbouring cells; the flag is set if the Newton step violates a limit in one of these cells.
+  std::vector<char> broken_, was_broken_;
+  Height height_{};  // path time T and sum of logarithms for the current values y_ of the variables
   std::vector<CellSpeeds> speeds_;
   int steps_ = 0;
 };

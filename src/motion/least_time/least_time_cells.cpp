@@ -11,11 +11,11 @@
 namespace kadr {
 namespace {
 
-constexpr double most_of_slack = 0.95;  // the fraction of a slack that one step may use
-// Factor in the second derivative of the time; its exact value is 0.75. A smaller factor makes the steps longer at points far from the
-// limits. Near the limits the barrier dominates, so the factor has little effect.
+constexpr double most_of_slack = 0.95;  // the greatest fraction of a limit's slack that one Newton step may use
+// Factor in the second derivative of the path time; its exact value is 0.75. A smaller factor makes the Newton steps longer at points far
+// from the limits. Near the limits the barrier dominates, so the factor has little effect.
 constexpr double bend_of_time = 0.1;
-constexpr std::size_t group_size = 16;  // number of cells in a group
+constexpr std::size_t group_size = 16;  // number of neighbouring cells that are checked together for limits that a Newton step violates
 
 constexpr auto& place_parts = LeastTime::place_parts;
 
@@ -32,23 +32,25 @@ constexpr AtPlaces at_places_of(const Function& f) {
 /// the cell.
 constexpr AtPlaces weights[3] = {at_places_of([](double t) { return (1 - t) * (1 - t); }),
                                  at_places_of([](double t) { return 2 * t * (1 - t); }), at_places_of([](double t) { return t * t; })};
-/// Weights of the three ordinates in db/dt, where t is the fraction of the cell.
+/// Weights of a cell's three Bézier ordinates in the derivative db/dt of the squared path speed b, where t is the fraction of the cell.
 constexpr AtPlaces slopes[3] = {at_places_of([](double t) { return -2 * (1 - t); }), at_places_of([](double t) { return 2 * (1 - 2 * t); }),
                                 at_places_of([](double t) { return 2 * t; })};
-/// Weights of the three ordinates in d²b/dt²; they are the same at all sample positions.
+/// Weights of a cell's three Bézier ordinates in the second derivative d²b/dt², where t is the fraction of the cell. They are the same at
+/// all sample positions.
 constexpr double bends[3] = {2, -4, 2};
 
-/// Gradient and Hessian of a function of (b, b′, b″). They are stored separately for each sample position.
+/// Gradient and Hessian of a function of the squared path speed b and its derivatives b′ and b″. They are stored separately for each sample
+/// position.
 template <class Lanes>
 struct Sums {
   Lanes by[3] = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
 
-  /// Adds `bend` · r rᵀ to the Hessian, where r = (e0, e1).
+  /// Adds the matrix `bend` · r rᵀ to the Hessian with respect to b and b′, where r is the vector (e0, e1).
   KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1) {
     const Lanes bend0 = bend * e0;
     h00 += bend0 * e0, h01 += bend0 * e1, h11 += bend * e1 * e1;
   }
-  /// Adds `bend` · r rᵀ to the Hessian, where r = (e0, e1, e2).
+  /// Adds the matrix `bend` · r rᵀ to the Hessian with respect to b, b′ and b″, where r is the vector (e0, e1, e2).
   KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
     const Lanes bend2 = bend * e2;
     add(bend, e0, e1);
@@ -107,7 +109,7 @@ struct Shape {
   KADR_LANES Shape(const std::vector<double>& x1_at, const std::vector<double>& x2_at, const std::vector<double>& x3_at, std::size_t at)
       : x1(0.5 * Lanes(&x1_at[at])), x2(&x2_at[at]), x3(&x3_at[at]) {}
   KADR_LANES Lanes acceleration(const CellSpeed<Lanes>& v) const { return x2 * v.b + x1 * v.d; }
-  /// Returns the jerk of the axis divided by √b.
+  /// Returns the jerk of the axis divided by the path speed √b.
   KADR_LANES Lanes jerk(const CellSpeed<Lanes>& v) const { return x3 * v.b + 1.5 * x2 * v.d + x1 * v.q; }
 };
 
@@ -147,7 +149,7 @@ KADR_LANES bool LeastTime::add_logs(Logs& logs) const {
       const Lanes a = moving.by_acceleration * x.acceleration(speed), j = moving.by_jerk * x.jerk(speed);
       const Lanes slack = 1 - a * a, jerk_slack = 1 - speed.b * (j * j);
       const double product = product_of(slack * jerk_slack);
-      // The comparison product > 0 also rejects NaN.
+      // A product of slacks that is not a number (NaN) is rejected too, because the comparison product > 0 is then false.
       if (!(std::min(least_of(slack), least_of(jerk_slack)) > 0 && product > 0)) return false;
       logs.take(product);
     }
@@ -155,8 +157,8 @@ KADR_LANES bool LeastTime::add_logs(Logs& logs) const {
   return true;
 }
 
-/// Evaluates T and Σ log(slack) at y. T is infinite if y violates a limit. A limit |x| ≤ 1 has the slack 1 − x². The function also sets m_
-/// to the middle ordinates that follow from y.
+/// Evaluates the two terms of the objective for the values y of the variables: the path time T and Σ log(slack). T is infinite if y
+/// violates a limit. A limit |x| ≤ 1 has the slack 1 − x². The function also sets m_ to the middle ordinates that follow from y.
 LeastTime::Height LeastTime::height(const std::vector<double>& y) {
   constexpr Height none{infinite, 0};
   Logs logs;
@@ -198,7 +200,7 @@ KADR_LANES void LeastTime::add_cell(std::size_t cell, double mu) {
   add_hessian(cell, mu, hessian);
 }
 
-/// Adds `scale` times a Hessian that is given with respect to the ordinates of a cell.
+/// Adds `scale` · h to the Hessian of the solver, where h is the Hessian with respect to the three Bézier ordinates of a cell.
 void LeastTime::add_hessian(std::size_t cell, double scale, const std::array<Three, 3>& h) {
   std::array<Three, 3> by, hb;
   by_variables(cell, by);

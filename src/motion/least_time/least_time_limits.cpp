@@ -1,5 +1,5 @@
-// LeastTime, the preparation before any speed is known. This file numbers the variables, expresses the ordinates as linear combinations of
-// the variables, and computes the greatest value of each variable.
+// LeastTime, the preparation before any speed is known. This file numbers the variables of the solver, expresses the Bézier ordinates of
+// the squared path speed as linear combinations of the variables, and computes the greatest value of each variable.
 
 #include <algorithm>
 #include <cmath>

@@ -9,6 +9,7 @@ namespace kadr {
 
 class PathTimer {
  public:
+  /// Computes the speeds along the path in all its cells; the result is in speeds().
   ///   returns  false if no speed was found that obeys the limits, or if `stop` ended the search
   bool solve(const TimedPath& path, const PathEnds& ends, StopToken stop = {});
 

@@ -22,7 +22,7 @@
 
 namespace kadr {
 
-/// The reason why a planner has stopped emitting cells.
+/// The reason why a planner has stopped emitting cells before the end of the path.
 enum class PlanEnd : std::uint8_t {
   none,      // planning has not ended
   stopped,   // the stop token ended planning
@@ -115,7 +115,7 @@ class Planner {
   StopToken stop_;
   double plan_each_ = 0;  // time of motion between two plans, s; 0: only the number of pieces starts a plan
   bool in_background_ = false;
-  BackgroundWorker background_;  // The separate thread. It uses cutter_, timer_, cut_ and given_.
+  BackgroundWorker background_;  // The separate thread of execution that cuts and times cells. It uses cutter_, timer_, cut_ and given_.
 };
 
 }  // namespace kadr

@@ -12,14 +12,14 @@ namespace {
 
 // The first and the last value of the barrier parameter μ, summed over all limits, as a fraction of the time.
 constexpr double first_mu = 0.5, last_mu = 3e-3;
-constexpr double smaller = 0.2;  // factor by which μ is reduced from step to step
+constexpr double smaller = 0.2;  // factor by which the barrier parameter μ is reduced between two Newton steps
 constexpr int steps_of_all = 6;
 constexpr std::size_t neighbours = 4;  // number of blocks on each side of an unconverged block that are solved together with this block
-constexpr double slower = 0.7;         // initial guess of a middle ordinate, as a fraction of the envelope (find_envelope)
+constexpr double slower = 0.7;         // initial guess of a cell's middle ordinate, as a fraction of its upper bound (find_envelope)
 
 }  // namespace
 
-/// Fills the table rows, which have eight cells each, with the limits of the cells.
+/// Fills the tables of the solver, whose rows have eight cells each, with the acceleration and jerk limits of the path's cells.
 ///   returns  false if the solver does not support the path, because a cell with a stop is next to a reversal or there are too few cells
 bool PrimalDual::prepare() {
   const TimedPath& path = *path_;
@@ -104,8 +104,9 @@ void PrimalDual::keep_polynomials() {
     }
 }
 
-/// Sets the initial guess to values somewhat below the envelope (find_envelope). The first cells get the values of the earlier solution.
-/// The last values of the earlier solution are not used: they are low because the axes had to crawl at the end of that solution.
+/// Sets the initial guess of the middle ordinates to values somewhat below their upper bounds (find_envelope). The first cells get the
+/// values of the earlier solution. The last values of the earlier solution are not used: they are low because the axes had to crawl at the
+/// end of that solution.
 void PrimalDual::guess() {
   // Of the remaining values of the earlier solution, the last sixteenth is not used either.
   constexpr std::size_t unsure = 16;
@@ -128,7 +129,7 @@ double PrimalDual::seconds() const {
   return sum;
 }
 
-/// Makes one Newton step for all cells of a range of blocks.
+/// Makes one Newton step for the speeds of all cells in a range of blocks.
 ///   returns  false if the step is not finite
 bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
   derive(range, mu);
@@ -141,7 +142,7 @@ bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
 PrimalDual::Range PrimalDual::widened(const Range& range, std::size_t by) const {
   Range wide{range.first > by ? range.first - by : 1, std::min(range.end + by, blocks_end_), false, false};
   const auto is_tied = [&](std::size_t cell) { return tied_[cell] != 0 || tied_[cell + 1] != 0; };
-  // The two cells of a reversal must be in one range, so the range grows where its border divides them.
+  // The solver needs the two cells next to a reversal in the same range, so the range grows where its border lies between two such cells.
   while (turns_ && wide.first > 1 && is_tied(wide.first * lanes)) --wide.first;
   while (turns_ && wide.end < blocks_end_ && is_tied(wide.end * lanes - 1)) ++wide.end;
   wide.from_stop = wide.first == 1 && ends_->from_stop;
@@ -149,10 +150,11 @@ PrimalDual::Range PrimalDual::widened(const Range& range, std::size_t by) const 
   return wide;
 }
 
-/// Lowers the speeds in a range, except near the ends of the range.
+/// Lowers the speeds in a range, so that the solver starts farther inside the limits. The speeds near the ends of the range are lowered
+/// less, because the cells outside the range keep their speeds.
 void PrimalDual::lower(const Range& range) {
-  // `less` is the greatest reduction, as a fraction of the value. `over` is the number of cells over which the reduction grows from the
-  // ends of the range.
+  // `less` is the greatest reduction of a middle ordinate, as a fraction. `over` is the number of cells over which the reduction grows from
+  // the ends of the range.
   constexpr double less = 0.3, over = 48;
   const std::size_t first = range.first * lanes, end = std::min(range.end * lanes, pad + n_);
   for (std::size_t i = first + 1; i + 1 < end; ++i) {
@@ -165,8 +167,8 @@ void PrimalDual::lower(const Range& range) {
   if (range.to_stop) m_[pad + n_ - 1] = last_share_ * m_[pad + n_ - 2];
 }
 
-/// Iterates over a range until the range converges. If the range does not converge, the function tries a wider range and a start farther
-/// inside the limits.
+/// Computes the speeds in a range of blocks by Newton steps until they converge. If they do not converge, the function tries a wider range
+/// and a start farther inside the limits.
 bool PrimalDual::settle_range(Range& range, double mu) {
   constexpr int max_steps = 16, more = 12, max_tries = 4;
   constexpr std::size_t wider = 16;  // number of blocks by which the range grows at both ends with each attempt
@@ -188,7 +190,7 @@ bool PrimalDual::settle_range(Range& range, double mu) {
   return false;
 }
 
-/// Iterates over all blocks that have not converged.
+/// Computes the speeds in all blocks that have not converged, range by range.
 ///   returns  false if some blocks do not converge
 bool PrimalDual::settle(double mu) {
   bool all = true;

@@ -38,30 +38,35 @@ class PrimalDual {
   double steps() const { return steps_; }
 
  private:
-  static constexpr std::size_t places = 3;  // number of positions in a cell at which its limits are checked: both ends and the middle
-  // number of dummy cells before the first cell and after the last cell, which complete the blocks of eight
+  static constexpr std::size_t places = 3;  // number of positions in a cell at which the solver checks limits: both ends and the middle
+  // Number of dummy cells before the first cell and after the last cell of the path. They complete the blocks of eight cells that are
+  // computed in parallel.
   static constexpr std::size_t pad = lanes;
-  // Number of table rows per moving axis. The functions and constants below define the rows. Each row has one number per cell.
+  // Number of table rows that store the limits of one moving axis in a block of eight cells. The functions and constants below define what
+  // each row stores.
   static constexpr std::size_t per_axis = 34;
-  // The first table row of x′, x″ and x‴ at a position in the cell; each is divided by the jerk limit.
+  // Index of the first table row of the axis derivatives x′, x″ and x‴ at one position in the cell. Each derivative is divided by the jerk
+  // limit.
   static constexpr std::size_t shape_row(std::size_t place) { return place * 3; }
-  // The first table row of the jerk limit at a position in the cell. The rows are the slacks of the upper and the lower limit, and the dual
-  // variables of the upper and the lower limit.
+  // Index of the first of four table rows of the jerk limit at one position in the cell: the slacks of the upper and the lower limit, and
+  // the dual variables of the upper and the lower limit.
   static constexpr std::size_t jerk_row(std::size_t place) { return 9 + place * 4; }
-  // The first table row of the acceleration limit at a position in the cell, with the same four numbers as a jerk limit. The start of a
-  // cell has no such rows: the acceleration is continuous, so the acceleration at the start equals the acceleration at the end of the
-  // previous cell.
+  // Index of the first of four table rows of the acceleration limit at one position in the cell: slacks and dual variables, as for the jerk
+  // limit. The start of a cell has no such rows: the acceleration is continuous, so the acceleration at the start equals the acceleration
+  // at the end of the previous cell.
   static constexpr std::size_t acceleration_row(std::size_t place) { return 17 + place * 4; }
   static constexpr std::size_t polynomial_row = 29;
 
   static constexpr LimitMargins margins{0.996, 0.995};
-  static constexpr double at_rest = 0.005;  // A middle ordinate has converged when its relative step is below this value.
-  // The greatest accepted excess over a limit, at the positions where limits are checked. Here the limit is already reduced by its margin.
+  // The middle ordinate of a cell has converged when a Newton step changes it by less than this fraction.
+  static constexpr double at_rest = 0.005;
+  // The greatest accepted excess over a limit, as a fraction of the limit, at the positions where limits are checked. The limit that is
+  // checked is already reduced by its margin.
   static constexpr double max_excess = 0.005;
-  // The greatest accepted product slack · dual of any limit in a cell, as a multiple of the target μ.
+  // The greatest accepted product of slack and dual variable of any limit in a cell, as a multiple of the barrier parameter μ.
   static constexpr double max_gap = 3;
   static constexpr double allowed = 1;                     // greatest accepted acceleration or jerk, as a fraction of its limit
-  static constexpr double max_fall = -0.7, most_rise = 2;  // bounds of the relative change of a middle ordinate in one step
+  static constexpr double max_fall = -0.7, most_rise = 2;  // bounds of the relative change of a middle ordinate in one Newton step
 
   /// The numbers stored for each cell. Each of them is one table row of a block and has one number for each of the block's eight cells.
   enum Row : std::size_t {
@@ -70,18 +75,19 @@ class PrimalDual {
     // Value 1: the acceleration and jerk limits of the cell apply. Value 0: these limits do not apply, because the cell is next to a stop
     // or is a dummy cell.
     limited,
-    before,      // factor of the previous cell's middle ordinate in the ordinate at the start of this cell
-    own_before,  // factor of this cell's middle ordinate in the ordinate at the start of this cell
-    given,       // constant part of the ordinate at the start of this cell
-    next_after,  // factor of the next cell's middle ordinate in the ordinate at the end of this cell
-    own_after,   // factor of this cell's middle ordinate in the ordinate at the end of this cell
+    before,      // weight of the previous cell's middle ordinate in the squared speed b at the start of this cell
+    own_before,  // weight of this cell's middle ordinate in the squared speed b at the start of this cell
+    given,       // constant part of the squared speed b at the start of this cell
+    next_after,  // weight of the next cell's middle ordinate in the squared speed b at the end of this cell
+    own_after,   // weight of this cell's middle ordinate in the squared speed b at the end of this cell
     inverse_cap,
     cap_slack,
     cap_dual,
     rows
   };
 
-  /// A range of blocks whose speeds are computed. The cells outside the range keep their speeds; beyond a stop there are no such cells.
+  /// A range of blocks whose speeds are computed together. The cells outside the range keep their speeds; beyond a stop of the axes there
+  /// are no further cells.
   struct Range {
     std::size_t first, end;  // block indices; `end` is the index after the last block
     bool from_stop, to_stop;
@@ -95,8 +101,9 @@ class PrimalDual {
   template <class Lanes>
   struct OrdinateSums;
   struct Progress {
-    double worst = 1, step = 0;  // `worst` is the least slack before the step; `step` is the greatest relative step.
-    double gap = 0;              // the greatest product slack · dual of the limits of a cell, as a multiple of the target μ
+    // `worst` is the least slack before the Newton step; `step` is the greatest relative change of a middle ordinate in this step.
+    double worst = 1, step = 0;
+    double gap = 0;  // the greatest product of slack and dual variable of the limits of a cell, as a multiple of the barrier parameter μ
     bool is_quiet() const { return step <= at_rest && worst >= -max_excess && gap <= max_gap; }
     /// True if further steps would change nothing, so that the range counts as solved. This case occurs if the speed at the start comes
     /// from an earlier solution that is very near the limits.
@@ -104,7 +111,7 @@ class PrimalDual {
   };
   struct Moving {
     std::size_t axis;
-    double ratio;  // jerk limit divided by the acceleration limit, 1/s
+    double ratio;  // the axis' jerk limit divided by its acceleration limit, 1/s
     double by_jerk;
   };
 
@@ -154,24 +161,27 @@ class PrimalDual {
   const TimedPath* path_ = nullptr;
   const PathEnds* ends_ = nullptr;
   StopToken stop_;
-  std::size_t n_ = 0;           // number of cells
-  std::size_t blocks_end_ = 0;  // blocks 1 … blocks_end_ − 1 contain cells
+  std::size_t n_ = 0;  // number of cells
+  // The blocks with the indices 1 to blocks_end_ − 1 contain cells of the path; the other blocks contain dummy cells.
+  std::size_t blocks_end_ = 0;
   std::vector<Moving> moving_;
-  std::vector<double> cells_;  // the table rows (Row) of all blocks
+  std::vector<double> cells_;  // the table rows (Row) of all blocks of eight cells
   std::vector<float> limits_;  // The table rows of the limits: `per_axis` rows for each block and each moving axis.
-  // The middle ordinates, their steps and the gradient. Each vector has one entry per cell, and dummy entries before and after the cells.
+  // The middle ordinates of the squared path speed, their changes in a Newton step, and the gradient. Each vector has one entry per cell,
+  // and dummy entries before and after the cells.
   std::vector<double> m_, step_, gradient_;
-  // The contribution of each cell to the matrix. There is one element for each pair of the middle ordinates of the previous cell, the cell
-  // itself and the next cell.
+  // The contribution of each cell to the matrix of the Newton step. There is one element for each pair of the middle ordinates of the
+  // previous cell, the cell itself and the next cell.
   std::array<std::vector<double>, 6> products_;
-  // The contribution of each cell to the gradient, for the middle ordinates of the previous cell, the cell itself and the next cell.
+  // The contribution of each cell to the gradient of the objective, for the middle ordinates of the previous cell, the cell itself and the
+  // next cell.
   std::array<std::vector<double>, 3> slopes_;
   std::array<std::vector<double>, 3> diagonals_;
-  // A ratio for each cell. For a cell after a reversal it is the middle ordinate of the cell divided by the middle ordinate of the previous
-  // cell; for other cells it is 0.
+  // A ratio for each cell. For a cell after a reversal of the path it is the middle ordinate of the cell divided by the middle ordinate of
+  // the previous cell; for other cells it is 0.
   std::vector<double> tied_;
   bool turns_ = false;          // true if the path has reversals
-  std::vector<char> restless_;  // one flag per block; the flag is set if the block has not converged
+  std::vector<char> restless_;  // one flag per block; the flag is set if the speeds in the block have not converged
   // The middle ordinate of the cell next to the stop at the start and at the end of the path, divided by the middle ordinate of the
   // neighbouring cell.
   double first_share_ = 0, last_share_ = 0;

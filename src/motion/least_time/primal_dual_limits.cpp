@@ -11,14 +11,15 @@ namespace kadr {
 namespace {
 
 constexpr std::array<double, 3> place_of = {0, 0.5, 1};
-// Lower bound of b as a fraction of the middle ordinate. The bound is needed because b is 0 at a reversal.
+// Lower bound of the squared path speed b, as a fraction of the cell's middle ordinate. The bound is needed because b is 0 at a reversal.
 constexpr double least_b = 1e-6;
 constexpr double least_slack = 1e-5;   // lower bound of a slack, as a fraction of the limit
-constexpr double greatest_dual = 1e3;  // upper bound of a dual variable, s per limit
-constexpr double least_dual = 0.05;    // lower bound of a dual variable, as a fraction of μ
-constexpr double kept = 0.2;           // A step leaves at least this fraction of a slack or a dual variable.
-constexpr double first_slack = 0.2;    // lower bound of a slack in the initial guess
-// Factor in the second derivative of m^(−1/2). The time of a cell is proportional to m^(−1/2), where m is the middle ordinate.
+constexpr double greatest_dual = 1e3;  // upper bound of a dual variable, s; the slack that belongs to it is a fraction of the limit
+constexpr double least_dual = 0.05;    // lower bound of a dual variable, as a fraction of the barrier parameter μ
+constexpr double kept = 0.2;           // least fraction of a slack or a dual variable that remains after a Newton step
+constexpr double first_slack = 0.2;    // lower bound of a slack in the initial guess, as a fraction of the limit
+// Factor in the second derivative of the time of a cell. The time is proportional to m^(−1/2), where m is the middle ordinate of the cell's
+// squared speed.
 constexpr double second_derivative_of_time = 0.75;
 
 }  // namespace
@@ -42,11 +43,13 @@ struct PrimalDual::BlockSpeed {
   }
 };
 
-/// The slacks and dual variables of the limits ±c ≤ 1 in eight cells.
+/// The slacks and dual variables of an upper and a lower limit in eight cells: ±c ≤ 1, where c is an acceleration or jerk as a fraction of
+/// its limit.
 template <class Lanes>
 struct PrimalDual::Pairs {
   float* rows;
-  Lanes slack_up, slack_down, dual_up, dual_down, by_up, by_down;  // `by_up` and `by_down` are the reciprocals of the two slacks.
+  // `by_up` and `by_down` are the reciprocals of the slacks of the upper limit and of the lower limit.
+  Lanes slack_up, slack_down, dual_up, dual_down, by_up, by_down;
 
   KADR_LANES explicit Pairs(float* from)
       : rows(from), slack_up(from), slack_down(from + lanes), dual_up(from + 2 * lanes), dual_down(from + 3 * lanes) {
@@ -60,8 +63,8 @@ struct PrimalDual::Pairs {
   KADR_LANES static Lanes moved_dual(const Lanes& dual, const Lanes& to, double mu) {
     return lesser(greater(greater(to, kept * dual), Lanes::all(least_dual * mu)), Lanes::all(greatest_dual));
   }
-  /// Updates slacks and dual variables for a step that changes c by `dc`. `tangent` is the additional reduction of both slacks that follows
-  /// from the tangent to the jerk limit.
+  /// Updates slacks and dual variables for a step that changes the acceleration or jerk c by `dc`, both as fractions of the limit.
+  /// `tangent` is the additional reduction of both slacks that follows from the tangent to the jerk limit.
   ///   returns  the sum of slack · dual of the upper and the lower limit after the step
   KADR_LANES Lanes move(const Lanes& c, const Lanes& dc, const Lanes& tangent, double mu) {
     const Lanes up = (1 - c - slack_up) - dc - tangent, down = (1 + c - slack_down) + dc - tangent;
@@ -85,8 +88,8 @@ template <class Lanes>
 struct PrimalDual::PlaceSums {
   Lanes g0 = {}, g1 = {}, g2 = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
 
-  /// Adds a jerk limit with c = e0 b + e1 b′ + e2 b″/2. `tangent` is the derivative with respect to b of the slack reduction that the
-  /// tangent causes.
+  /// Adds the contribution of a jerk limit to the gradient and the Hessian. The jerk as a fraction of its limit is c = e0 b + e1 b′ + e2
+  /// b″/2. `tangent` is the derivative with respect to b of the slack reduction that the tangent to the jerk limit causes.
   KADR_LANES void add_jerk(const Pairs<Lanes>& of, double mu, const Lanes& c, const Lanes& e0, const Lanes& e1, const Lanes& e2,
                            const Lanes& tangent) {
     const Lanes bend_up = of.dual_up * of.by_up, bend_down = of.dual_down * of.by_down, both = bend_up + bend_down;
@@ -98,7 +101,8 @@ struct PrimalDual::PlaceSums {
     h01 += (b0 + skew) * e1, h02 += (b0 + skew) * e2;
     h11 += b1 * e1, h12 += b1 * e2, h22 += both * e2 * e2;
   }
-  /// Adds an acceleration limit with c = e0 b + e1 b′.
+  /// Adds the contribution of an acceleration limit to the gradient and the Hessian. The acceleration as a fraction of its limit is c = e0
+  /// b + e1 b′.
   KADR_LANES void add_acceleration(const Pairs<Lanes>& of, double mu, const Lanes& c, const Lanes& e0, const Lanes& e1) {
     const Lanes bend_up = of.dual_up * of.by_up, bend_down = of.dual_down * of.by_down, both = bend_up + bend_down;
     const Lanes along = mu * (of.by_up - of.by_down) - bend_up * (1 - c - of.slack_up) + bend_down * (1 + c - of.slack_down);
@@ -134,7 +138,7 @@ struct PrimalDual::OrdinateSums {
   }
 };
 
-/// Computes x′, x″ and x‴, each divided by the jerk limit, at the positions where limits are checked.
+/// Computes the derivatives x′, x″ and x‴ of each axis position, divided by the jerk limit, at the positions where limits are checked.
 template <class Lanes>
 KADR_LANES void PrimalDual::fill_shapes() {
   for (std::size_t block = 1; block < blocks_end_; ++block) {
@@ -199,7 +203,7 @@ KADR_LANES void PrimalDual::build(const Range& range, double mu) {
       sums.add(at_place, place_of[p], speed.by_length);
     }
     sums.take(is_limited);
-    // `fall` is −dT/dm, the decrease of the time per increase of the middle ordinate.
+    // `fall` is the decrease of the cell's time T per increase of its middle ordinate m: −dT/dm.
     const Lanes m = speed.o1, by_m = 1 / m, fall = (0.5 * Lanes(of_block + length * lanes)) * by_m * by_m * root_of(m);
     const Lanes by_cap(of_block + inverse_cap * lanes), slack(of_block + cap_slack * lanes), dual(of_block + cap_dual * lanes),
         by_slack = 1 / slack;

@@ -18,7 +18,7 @@ struct JerkRamp {
 };
 
 JerkRamp ramp_to(double speed, const LineLimits& limits) {
-  // If the acceleration limit is not reached, the peak acceleration is √(v j).
+  // If the speed is so low that the acceleration limit is not reached, the peak acceleration is √(speed · jerk).
   const double reached = std::min(limits.acceleration, std::sqrt(speed * limits.jerk));
   const double rising = reached / limits.jerk;
   return {rising, std::max(0.0, speed / reached - rising), reached, speed};

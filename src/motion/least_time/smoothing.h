@@ -26,8 +26,8 @@ struct SmoothingRules {
   double most = 0;   // N3104, mm: a piece whose curve would leave its chord by more than this distance stays straight
   double least = 0;  // N3105, mm: a piece whose curve would leave its chord by less than this distance stays straight
   double fine = 0;   // N3106, mm: with Q3, the greatest deviation of a rounded corner from the programmed path
-  // N3107, mm: with Q3, pieces shorter than this length are smoothed at any angle. The length is at most twice N3106; it is 0 unless it is
-  // greater than N3103.
+  // N3107, mm: with Q3, pieces shorter than this length are smoothed at any angle. The value is limited to twice N3106. It is 0 (no such
+  // pieces) unless it is greater than N3103.
   double always_below = 0;
 };
 
@@ -50,9 +50,9 @@ class Smoothing {
   Smoothing() = default;
   explicit Smoothing(const SmoothingRules& rules) : rules_(rules) {}
 
-  /// Accepts the next piece and emits the previous piece.
+  /// Accepts the next piece of the path and emits the previous piece, smoothed where the rules allow it.
   void take(const Piece& piece, const Line& line);
-  /// Emits the stored piece, because no further piece follows.
+  /// Emits the stored piece; the path has no further piece that could be smoothed together with it.
   void finish(const Line& line);
 
  private:
@@ -63,7 +63,7 @@ class Smoothing {
     bool fits;            // true if the length of the piece allows smoothing
     bool sharp = false;   // true if the corner at the start of the piece is too sharp for smoothing
     bool curved = false;  // True if the curve starts in the direction `start`, because the previous piece was smoothed.
-    Axes start{};         // mean direction of the previous piece and this piece
+    Axes start{};         // mean direction of the previous piece and this piece, a unit vector
   };
   bool is_sharp(const Held& before, const Held& after) const;
   void let_out(const Held* next, const Line& line);

@@ -59,14 +59,15 @@ double tcp_tolerance(const TcpPiece& before, const TcpPiece& after, double toler
     if ((rotary >> a & 1U) == 0) continue;
     swing += change * change;
     const double one = rate(before.along[a], before.tip), other = rate(after.along[a], after.tip);
-    // The part of the change of the axis' rotation rate that does not follow from the tip's position.
+    // The part of the change of the axis' rotation rate that is not caused by a change of the speed of the tool tip. This part changes the
+    // tool direction at a given tip position.
     const double across = change - (one + other) / 2 * along;
     off_direction += across * across;
   }
   turn = std::sqrt(turn);
   if (turn < straight_on) return tolerance;
-  // The greatest deviation of the tip or the direction as a fraction of the allowed deviation, per unit of the axes' deviation at the
-  // corner.
+  // The greatest deviation of the tip or of the tool direction, as a fraction of the allowed deviation, per unit by which the axes deviate
+  // from their corner.
   const double felt = std::max(off / tolerance, std::sqrt(off_direction) / of_direction);
   return std::min(
       {turn / std::max(felt, straight_on), std::max(most_off, tolerance), max_swing * turn / std::max(std::sqrt(swing), straight_on)});

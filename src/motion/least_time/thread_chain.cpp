@@ -56,8 +56,8 @@ double ThreadChain::step(std::size_t knot, std::size_t axis) const {
   return knots_[knot].speed[axis] - (knot > 0 ? knots_[knot - 1].speed[axis] : 0);
 }
 
-/// Returns the durations W1 and W2 of the pulses that spread speed steps of the given sizes. `jerks` is the factor by which overlapping
-/// steps multiply the jerk.
+/// Returns the durations W1 and W2 of the two pulses that spread speed steps of the sizes `steps`, one per axis, so that each axis keeps
+/// its limits. `jerks` is the factor by which overlapping steps multiply the jerk.
 ThreadChain::Weight ThreadChain::weight_of(const Axes& steps, double jerks) const {
   Weight weight;
   for (std::size_t a = 0; a < limits_.speed.size(); ++a)
@@ -81,7 +81,8 @@ ThreadChain::Weight ThreadChain::weight() const {
   const Weight apart = weight_of(steps, 1);
   if (apart.time() <= shortest) return apart;
   for (std::size_t a = 0; a < limits_.speed.size(); ++a) steps[a] = most_speed[a] - least[a];
-  return weight_of(steps, 2);  // If the steps overlap, the greatest change of speed counts as one step, with twice the jerk.
+  // If spread steps overlap in time, the greatest difference of an axis' speeds counts as one step with twice the jerk.
+  return weight_of(steps, 2);
 }
 
 double ThreadChain::ramp() const { return weight().time(); }
@@ -96,7 +97,7 @@ std::vector<double> ThreadChain::moments(const Weight& weight) const {
   return times;
 }
 
-/// Appends the polynomials of the axis positions between two times, as functions of time.
+/// Appends the polynomials of the axis positions in the time from `from` to `to`, as functions of time.
 ///   over  index of the last knot (the junction of two threads) whose speed step is finished if `moves` is true; otherwise the index of the
 ///         first knot
 void ThreadChain::add_shape(double from, double to, std::size_t over, bool moves, const Weight& weight, std::vector<double>& path) const {
@@ -113,7 +114,7 @@ void ThreadChain::add_shape(double from, double to, std::size_t over, bool moves
   }
   for (std::size_t k = moves ? over + 1 : over; k < knots_.size() && knots_[k].time - weight.time() / 2 < middle; ++k) {
     Spread spread = spread_at(from - knots_[k].time, weight.longer, weight.shorter);
-    // The third derivative is constant over the whole interval, so its value in the middle is used.
+    // The third derivative of a spread step is constant over the whole interval, so its value in the middle of the interval is used.
     spread[3] = spread_at(middle - knots_[k].time, weight.longer, weight.shorter)[3];
     for (std::size_t a = 0; a < axes; ++a) add(a, step(k, a), spread);
   }

@@ -36,10 +36,11 @@ class ThreadChain {
   const Axes& end() const { return knots_.back().at; }
   /// The time, s, from the first speed step to the last speed step.
   double seconds() const { return knots_.back().time; }
-  /// Returns the time T in s. The motion from rest to rest takes T longer than seconds().
+  /// Returns the time T, s, over which each speed step is spread. The motion from rest to rest takes T longer than seconds().
   double ramp() const;
 
-  /// Returns the motion from rest to rest. The first speed step is `ramp() / 2` after the start of the motion.
+  /// Returns the cells of the motion from rest to rest through all threads. The first speed step is `ramp() / 2` after the start of the
+  /// motion.
   ///   law  at a time between two speed steps that is at least T/2 from both steps, position = position at the first step + thread length ·
   ///        time since the first step / thread time
   TimedCells cells() const;
@@ -51,10 +52,11 @@ class ThreadChain {
     double time;
     Axes at;
     Axes speed;         // axis speeds in the thread that starts at this knot, mm/s or degrees/s
-    std::uint64_t tag;  // tag of the thread that starts at this knot
+    std::uint64_t tag;  // tag of the thread-cutting motion that starts at this knot
   };
   struct Weight {
-    double longer = 0, shorter = 0;  // `longer` is W1 and `shorter` is W2: the durations of the two rectangular pulses, s.
+    // Durations of the two rectangular pulses, s, whose convolution spreads each speed step: `longer` is W1 and `shorter` is W2.
+    double longer = 0, shorter = 0;
     double time() const { return longer + shorter; }
   };
   Weight weight() const;

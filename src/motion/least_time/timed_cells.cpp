@@ -16,7 +16,8 @@ struct Growth {
 
 Growth growth(double k, double t) {
   const double x = k * t * t;
-  constexpr double series_below = 0.3;  // Below this argument a power series is used; the first omitted term of the series is below 1e-15.
+  // Below this argument a power series replaces the hyperbolic or trigonometric functions; its first omitted term is below 1e-15.
+  constexpr double series_below = 0.3;
   if (std::fabs(x) < series_below) {
     const double s = t * (1 + x / 6 * (1 + x / 20 * (1 + x / 42 * (1 + x / 72 * (1 + x / 110 * (1 + x / 156))))));
     const double c = t * t / 2 * (1 + x / 12 * (1 + x / 30 * (1 + x / 56 * (1 + x / 90 * (1 + x / 132 * (1 + x / 182))))));
@@ -65,7 +66,8 @@ TimeLaw TimeLaw::of_jerk(double seconds, double v, double a, double j) {
 TimeLaw TimeLaw::of_squares(double length, double v, double a, double j) {
   TimeLaw law{0, length, false, v, a, j};
   const double end = std::sqrt(std::max(0.0, v * v + length * (2 * a + j * length)));
-  // The time is computed from the slower end, because the speed at this end may be 0. The reversed motion takes the same time.
+  // The duration of a cell is computed from its slower end, because the speed at this end may be 0. The reversed motion takes the same
+  // time.
   if (end < v) {
     const TimeLaw back = of_squares(length, end, -(a + j * length), j);
     law.seconds = back.seconds;

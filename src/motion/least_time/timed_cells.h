@@ -25,12 +25,14 @@ struct TimeLaw {
   /// length.
   State at(double part) const;
 
-  /// Returns a law with the constant jerk `j`, mm/s³, that lasts `seconds`.
+  /// Returns the distance-time law of a cell with the constant jerk `j`, mm/s³, that lasts `seconds`. `v` and `a` are the speed and the
+  /// acceleration at its start.
   static TimeLaw of_jerk(double seconds, double v, double a, double j);
-  /// Returns a law with ṡ² = v² + 2 a s + j s² from s = 0 to `length`. This polynomial must be positive for every s in this range.
+  /// Returns the distance-time law of a cell in which ṡ² = v² + 2 a s + j s² from s = 0 to `length`, where ṡ is the path speed. This
+  /// polynomial must be positive for every s in this range.
   static TimeLaw of_squares(double length, double v, double a, double j);
-  /// Returns a law with constant jerk from rest to the speed `v` at the distance `length`. With `reversed` the law leads from the speed `v`
-  /// to rest.
+  /// Returns the distance-time law of a cell in which the axes start from rest with constant jerk and reach the speed `v` at the distance
+  /// `length`. If `reversed` is true, the axes slow down from `v` to rest instead.
   static TimeLaw from_rest(double length, double v, bool reversed);
 };
 
@@ -79,7 +81,7 @@ struct TimedCells {
   std::vector<CellSource> sources;
   // The coefficients c_i of x(s) = Σ c_i s^i for each cell and axis. The index of c_0 is (cell * axes + axis) * terms.
   std::vector<double> path;
-  std::vector<SpindleTurn> spindle{};  // one spindle rotation per cell; empty: not set yet
+  std::vector<SpindleTurn> spindle{};  // angle and rotation of the spindle in each cell; empty: they are not computed yet
   bool unsolved = false;               // True if no speed was found for these cells. The axes then stop after each of these cells.
 
   void clear() { laws.clear(), sources.clear(), path.clear(), spindle.clear(), unsolved = false; }

@@ -78,7 +78,8 @@ TimedPath TimedPath::first(std::size_t count) const {
 }
 
 double fastest_alone(const TimedPath& path, std::size_t cell) {
-  constexpr double none = 1e-12;  // A derivative that is smaller than this value imposes no limit.
+  // A derivative of an axis position with a magnitude below this value counts as 0, so it limits neither acceleration nor jerk.
+  constexpr double none = 1e-12;
   constexpr std::array<double, 5> places = {0, 0.25, 0.5, 0.75, 1};
   double most = path.most[cell];
   for (std::size_t a = 0; a < path.axes; ++a) {
@@ -113,7 +114,8 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
   const double soonest = soonest_rise(path);
   const auto to_three_quarters = [](double b) { return std::sqrt(b * std::sqrt(b)); };
   middles.resize(n);
-  double reached = ends.from_stop ? 0 : to_three_quarters(ends.from.b);  // value of b^(3/4) at the boundary before the current cell
+  // the value of b^(3/4) at the boundary before the current cell, where b is the squared path speed
+  double reached = ends.from_stop ? 0 : to_three_quarters(ends.from.b);
   for (std::size_t k = 0; k < n; ++k) {
     if (k > 0 && path.turns[k - 1] != 0) reached = 0;
     reached = std::min(to_three_quarters(fastest_alone(path, k)), reached + soonest * path.h[k]);
@@ -131,13 +133,13 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
   for (double& m : middles) m *= std::cbrt(m);
 }
 
-/// Computes the bound from the motion in a cell of the length h next to a stop. At the distance τ h from the stop b = b₁ τ^(4/3), where b₁
-/// is b at the other end of the cell. Therefore ṡ s̈ = ±2/3 τ b₁^(3/2) / h and s⃛ = 2/9 b₁^(3/2) / h². The middle ordinate is a third of
-/// b₁.
+/// Computes the greatest middle ordinate of a cell from the motion in this cell, which has the length h and is next to a stop. At the
+/// distance τ h from the stop the squared path speed is b = b₁ τ^(4/3), where b₁ is b at the other end of the cell. Therefore ṡ s̈ = ±2/3 τ
+/// b₁^(3/2) / h and s⃛ = 2/9 b₁^(3/2) / h². The middle ordinate is a third of b₁.
 double max_next_to_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins) {
   constexpr std::array<double, 8> places = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
   const double h = path.h[cell], ahead = is_first ? 1 : -1;
-  double most = unbounded;  // the greatest value of b₁ that the limits allow, mm²/s²
+  double most = unbounded;  // the greatest squared path speed b₁ at the other end of the cell that the limits allow, mm²/s²
   for (std::size_t a = 0; a < path.axes; ++a)
     for (const double place : places) {
       const Derivatives x = Derivatives::at(path.shape(cell, a), place * h);

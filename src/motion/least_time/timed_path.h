@@ -90,11 +90,12 @@ struct PathEnds {
 double fastest_alone(const TimedPath& path, std::size_t cell);
 /// Returns the smallest value of fastest_alone() over all cells.
 double slowest_alone(const TimedPath& path);
-/// Writes to `middles` an estimate of the middle ordinates. What each cell allows on its own bounds the estimate, and so does the jerk
-/// limit, which determines how quickly the speed can rise.
+/// Writes to `middles` an estimate of the middle ordinates of the squared path speed, one per cell. Each value is at most what the limits
+/// in its cell allow. It is also at most what the jerk limit allows, which determines how quickly the speed can rise from the start of the
+/// path and fall to its end.
 void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<double>& middles);
-/// Returns d b^(3/4) / ds for a start from rest with the constant jerk j that the most restrictive axis allows. For such a start b =
-/// (6^(4/3)/4) j^(2/3) s^(4/3).
+/// Returns how quickly the path speed can rise from rest: d b^(3/4) / ds, where b is the squared path speed and s the path length. The axes
+/// start with the constant jerk j that the most restrictive axis allows, so b = (6^(4/3)/4) j^(2/3) s^(4/3).
 double soonest_rise(const TimedPath& path);
 /// Returns the greatest middle ordinate of a cell next to a stop at which the motion with constant jerk in this cell obeys the limits.
 /// `is_first` is true if the stop is at the start of the cell, and false if the stop is at its end.

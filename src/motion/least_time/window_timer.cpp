@@ -15,10 +15,12 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t least_window = 600;  // number of cells at which a window is solved
-// If a window has more cells than this number, some of the cells are emitted although the end of the window may have slowed them down.
+constexpr std::size_t least_window = 600;  // number of waiting cells at which their speeds are computed as one window
+// Number of cells. If a window has more cells, some of them are emitted although the crawl at the end of the window may have slowed them
+// down.
 constexpr std::size_t max_window = 6000;
-constexpr double crawl_of_slowest = 0.03;  // ṡ² of the crawl at the end of the window, as a fraction of the ṡ² that the slowest cell allows
+// squared path speed of the crawl at the end of a window, as a fraction of the squared speed that the slowest cell allows
+constexpr double crawl_of_slowest = 0.03;
 
 }  // namespace
 
@@ -53,13 +55,13 @@ void WindowTimer::pass_cells_on(TimedCells made, double standing, std::uint64_t 
   now_.refused = {length, made.sources.empty() ? tag : made.sources[longest].tag};
 }
 
-/// Returns the time, s, that the first `count` cells would take with a stop at each corner.
+/// Returns the time, s, that the first `count` waiting cells would take if the axes stopped at each corner.
 double WindowTimer::standing_of(std::size_t count) const {
   return std::accumulate(now_.cells.standing.begin(), now_.cells.standing.begin() + static_cast<std::ptrdiff_t>(count), 0.0);
 }
 
-/// Returns how many cells are final in a solution that ends at crawling speed. A cell is final if the crawl at the end has not reduced its
-/// speed.
+/// Returns how many cells are final in a solution in which the axes crawl at the end of the path. A cell is final if its speed is not
+/// reduced by this crawl.
 std::size_t WindowTimer::sure_cells() const {
   const std::vector<CellSpeeds>& speeds = timer_.speeds();
   std::size_t cell = now_.cells.count();

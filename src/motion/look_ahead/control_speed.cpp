@@ -43,7 +43,8 @@ double turn_deg(const Axes& first, const Axes& second) {
   return 2 * std::asin(std::min(size(change(one, other)) / 2, 1.0)) / rad_per_deg;
 }
 
-/// Returns the smallest quotient most_i/|part_i| over all axes i with part_i ≠ 0; `unlimited` if every part_i is 0.
+/// Returns the greatest factor by which the vector `part` can be multiplied so that no component i exceeds most_i: the smallest quotient
+/// most_i/|part_i|. Returns `unlimited` if the vector is zero.
 double slowest(const Axes& most, const Axes& part) {
   double least = unlimited;
   for (std::size_t i = 0; i < max_axes; ++i)
@@ -206,7 +207,7 @@ double junction_speed(const SpeedRules& rules, const PathShape& before, const Pa
 
 double blend_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after, double tolerance) {
   const Axes turn = change(before.end, after.start);
-  // The change of direction takes the time t = by_speed · v, where v is the path speed.
+  // At the path speed v the axes need the time t = by_speed · v to change the direction at the corner.
   const double by_speed = 1 / slowest(rules.acceleration, turn);
   if (size(turn) <= tol::tangential || !(by_speed > 0)) return unlimited;
   return std::sqrt(std::min(8 * tolerance / size(turn), std::min(before.length, after.length)) / by_speed);
@@ -229,7 +230,7 @@ bool is_slow_corner(const SpeedRules& rules, const Motion& before, const PathSha
   if (!(rules.inner_part < 1) || before.side != after.side) return false;
   if (!cuts_in_plane(before, first) || !cuts_in_plane(after, second) || first.plane != second.plane) return false;
   const Vec2 in{first.end[before.first], first.end[before.second]}, out{second.start[after.first], second.start[after.second]};
-  // The change of direction in degrees; counter-clockwise is positive.
+  // The change of the path's direction at the corner in degrees; counter-clockwise is positive.
   const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;
   const double side = before.side * (before.tool_radius < 0 ? -1 : 1);
   return turn * side > 0 && 180 - std::abs(turn) < rules.inner_angle;

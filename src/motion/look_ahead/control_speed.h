@@ -8,14 +8,14 @@
 
 namespace kadr {
 
-/// The properties of a block's path that determine its speed limits. In this file u is dx/ds for each machine axis x, and s is the length
-/// to which the feed refers.
+/// The properties of a block's path that determine its speed limits. In this file s is the path length to which the feed refers, and u is
+/// the direction of the path: dx/ds for each machine axis x.
 struct PathShape {
   double length = 0;              // path length along s, mm (degrees where only rotary axes move)
   AxisMask moves = 0;             // axes that move
   Axes start{}, end{};            // direction u at the start and at the end of the path
-  Axes most{};                    // the greatest |u| of each axis along the path
-  Axes start_bend{}, end_bend{};  // du/ds at the start and at the end of an arc, 1/mm; zero on a line
+  Axes most{};                    // the greatest |u| of each axis along the path: axis speed divided by path speed
+  Axes start_bend{}, end_bend{};  // curvature vector du/ds at the start and at the end of an arc, 1/mm; zero on a line
   double radius = 0;              // the smallest radius of an arc or spline, mm; 0: the path is a line
   double in_plane = 1;            // fraction (0 to 1) of the length s of an arc that lies in the arc's plane
   bool line = false;
@@ -27,7 +27,8 @@ struct PathShape {
 PathShape shape_of(const Step& step);
 
 /// Returns the acceleration along the path that all axes allow: a = min A_i/|u_i|. Its build-up time is T = max T_i (NCT chapter 7). A_i
-/// and T_i are the acceleration and the build-up time of axis i. INFERRED: where u changes along the path, the smallest a applies.
+/// and T_i are the acceleration and the build-up time of axis i, and u_i is the component of the path's direction along this axis.
+/// INFERRED: where u changes along the path, the smallest a applies.
 Acceleration acceleration_of(const SpeedRules& rules, const PathShape& shape);
 
 /// Returns the highest speed in a block, mm/s: the commanded speed, reduced on the inside of arcs (NCT 6.4). The greatest feed of each axis
@@ -52,8 +53,9 @@ Axes bend_between(const PathShape& before, const PathShape& after);
 /// The result is min √(most_i/|bend_i|).
 double speed_in_bend(const Axes& most, const Axes& bend);
 
-/// Returns the highest path speed, mm/s, at which no axis' acceleration jumps by more than most_i, the parameter N0403 Acc Diff, from one
-/// junction of lines to the next junction (NCT 7.3). The result is min √(most_i/|next_i − bend_i|).
+/// Returns the highest path speed, mm/s, at which the acceleration of no axis jumps too far from one junction of lines to the next junction
+/// (NCT 7.3). `bend` and `next` are the curvatures du/ds at the two junctions. The result is min √(most_i/|next_i − bend_i|): most_i is the
+/// greatest allowed jump for axis i, the parameter N0403 Acc Diff.
 double speed_over_step(const SpeedRules& rules, const Axes& bend, const Axes& next);
 
 /// Returns true if two blocks form an inner corner at which G62 slows down (NCT 6.3.5). INFERRED: the corner angle is 180° minus the change

@@ -1,5 +1,5 @@
-// This file finds the limit that determines the speed of a planned cell: the limit whose largest fraction the cell uses. The limits are
-// those of motion/least_time/least_time.h. Used by motion and out; tested by tests/motion/limited_by_test.cpp.
+// This file finds the limit that determines the speed of a planned cell: the limit of which the cell uses the largest fraction. The limits
+// are those of motion/least_time/least_time.h. Used by motion and out; tested by tests/motion/limited_by_test.cpp.
 
 #include "motion/look_ahead/limited_by.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// This file finds the limit that determines the speed of a planned cell: the limit whose largest fraction the cell uses. The limits are
-// those of motion/least_time/least_time.h.
+// This file finds the limit that determines the speed of a planned cell. It is the limit of which the cell uses the largest fraction. The
+// limits are those of motion/least_time/least_time.h.
 
 #include "motion/least_time/planner.h"
 
@@ -8,11 +8,11 @@ namespace kadr {
 
 enum class Limit : std::uint8_t {
   feed,          // the programmed feed, or the rapid rate with its override
-  corner,        // acceleration or jerk limit of an axis, in the rounding of a corner
-  curve,         // acceleration or jerk limit of an axis in a curve, caused by the curvature
-  axis_speed,    // the speed limit of the axis itself
-  acceleration,  // acceleration limit of an axis, while the path speed rises or falls
-  jerk,          // jerk limit of an axis, while the acceleration along the path changes
+  corner,        // the acceleration or jerk limit of an axis determines the speed in the rounding of a corner
+  curve,         // the acceleration or jerk limit of an axis determines the speed in a curve, because of its curvature
+  axis_speed,    // the speed limit of an axis determines the speed
+  acceleration,  // the acceleration limit of an axis, while the path speed rises or falls
+  jerk,          // the jerk limit of an axis, while the acceleration along the path changes
   pause,         // the axes are at rest: dwell, tool change
 };
 inline constexpr std::size_t limit_count = 7;
@@ -26,7 +26,7 @@ struct LimitedBy {
 /// How much of their acceleration and jerk limits the axes use at one position of a cell.
 struct LimitUsage {
   struct Share {
-    double part = 0;        // the fraction of its limit that the axis nearest to its limit uses; 1: the axis is at the limit
+    double part = 0;        // the used fraction of the axis limit, for the axis nearest to its limit; 1: this axis is at its limit
     std::uint8_t axis = 0;  // index of the axis nearest to its limit
   };
   double speed = 0;  // path speed, mm/s

@@ -82,7 +82,7 @@ void LookAhead::hold(const Step& step) {
 
 void LookAhead::motion(const Step& step, const Motion& motion) {
   const Curve& curve = step.curve();
-  if (!(curve.length(motion.along) > 0)) {  // The length is 0, so no axis moves and nothing is planned.
+  if (!(curve.length(motion.along) > 0)) {  // The motion has the length 0: no axis moves, so no speed is planned for it.
     if (motion.exact) rest();
     return hold(step);
   }

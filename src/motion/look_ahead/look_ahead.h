@@ -46,7 +46,7 @@ class LookAhead {
  private:
   struct Held {
     KeptStep kept;      // a copy of the step and of the tool position before the step; the step is emitted later
-    double longer = 0;  // time that the planning has added to the programmed time, s
+    double longer = 0;  // time, s, by which the planned motion takes longer than its programmed time
     // Number of path pieces of this motion. 0: the time of the motion is already known, or the motion is the open motion.
     std::size_t pieces = 0;
   };
@@ -57,7 +57,7 @@ class LookAhead {
     double commanded;       // commanded speed, mm/s
     double enter = 0;       // the highest allowed speed at the start of the motion, mm/s
     double slow_until = 0;  // length of the slow zone after an inner corner, measured from the start of the motion, mm (nct 6.3.5)
-    Axes bend{};            // du/ds at the start of the motion, 1/mm (control_speed.h)
+    Axes bend{};  // curvature vector du/ds at the start of the motion, 1/mm, where u is the direction of the path (control_speed.h)
     const Motion& motion() const { return std::get<Motion>(held->kept.action.what); }
   };
   /// The last rapid motion, if the next rapid motion may start before the end of this motion.
@@ -73,7 +73,7 @@ class LookAhead {
     std::deque<Held> held;
     std::vector<PathPiece> pieces;
     std::optional<Open> open;             // The pointer `held` is invalid in a copy, so resume_from() sets it again from `open_at`.
-    std::size_t open_at = 0;              // index of the open motion in Memory::held
+    std::size_t open_at = 0;              // index of the open motion, whose end speed is not known yet, in Memory::held
     std::optional<LastRapid> last_rapid;  // The pointer `held` is invalid in a copy, so resume_from() sets it again from `last_rapid_at`.
     std::size_t last_rapid_at = 0;
     double start_speed = 0;
@@ -99,7 +99,7 @@ class LookAhead {
   Axes rapid_rates_{};  // rapid rates of the axes, mm/s or degrees/s
   Sink sink_;
   std::deque<Held> held_;          // stored steps in program order; an action that follows a motion in the program also follows it here
-  std::vector<PathPiece> pieces_;  // path pieces of the stored motions, except the open motion
+  std::vector<PathPiece> pieces_;  // path pieces of the stored motions, except the open motion, whose end speed is not known yet
   std::optional<Open> open_;
   std::optional<LastRapid> last_rapid_;
   double start_speed_ = 0;  // speed at the start of the first piece, mm/s

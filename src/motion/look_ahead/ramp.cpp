@@ -45,7 +45,8 @@ double reached(double from, double length, const Acceleration& acceleration) {
   const double a = acceleration.most, t = acceleration.build_up;
   if (std::isinf(a)) return length > 0 ? a : from;
   if (t == 0) return std::sqrt(from * from + 2 * a * length);
-  const double b = from + a * t / 2;  // The coefficient b of the quadratic equation D² + 2·b·D = 2·a·(L − v·T) for the change of speed D.
+  // The coefficient b of the quadratic equation D² + 2·b·D = 2·a·(L − v·T): D is the change of speed, L the length and v the start speed.
+  const double b = from + a * t / 2;
   const double rest = 2 * a * (length - from * t);
   if (rest > 0) {
     const double change = rest / (b + std::sqrt(b * b + rest));
@@ -93,7 +94,8 @@ Ramp::Ramp(double from, double to, const Acceleration& acceleration)
 /// Computes the state at the time `t` in the first half of the ramp. The second half is the mirror image of the first half.
 Ramp::Moment Ramp::rising(double t, double start_speed, double sign) const {
   const double flat = std::max(t - build_up_, 0.0), build = std::min(t, build_up_);
-  // `gained` is the change of speed and `distance` is the distance. Both are first computed for the time within the build-up only.
+  // `gained` is the change of speed, and `distance` the distance, since the start of the ramp. The following lines compute them for the
+  // build-up of the acceleration; the time of constant acceleration is added afterwards.
   double gained = 0, distance = 0;
   if (build_up_ > 0 && jerk_free_) {
     const double turn = build_up_ / pi;

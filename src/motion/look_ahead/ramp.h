@@ -15,7 +15,8 @@ namespace kadr {
 struct Acceleration {
   double most = std::numeric_limits<double>::infinity();  // greatest acceleration, mm/s²; infinite: the speed changes instantly
   double build_up = 0;                                    // time until `most` is reached, s; 0: linear ramp
-  // Parameter N0421 #1 JRK. INFERRED: the acceleration builds up along half a cosine; the ramp has the same time and the same length.
+  // Parameter N0421 #1 JRK, the jerk-free ramp. INFERRED: its acceleration builds up along half a cosine; it takes the same time and the
+  // same length as the bell-shaped ramp.
   bool jerk_free = false;
 };
 

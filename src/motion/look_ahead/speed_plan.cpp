@@ -26,10 +26,11 @@ void level(std::span<PathPiece> pieces) {
     if (is_same(pieces[k].most, pieces[k - 1].most)) pieces[k].most = pieces[k - 1].most;
 }
 
-/// Returns the speed at the distance `length` in a ramp that is not complete at this distance. The ramp leads to a far higher speed.
+/// Returns the speed, mm/s, that is reached at the distance `length`, mm, in a ramp that starts at the speed `from`. The ramp leads to a
+/// far higher speed, so it is not complete at this distance.
 double passing(double from, double length, const Acceleration& acceleration) {
   if (std::isinf(acceleration.most)) return length > 0 ? acceleration.most : from;
-  const double gain = std::sqrt(2 * acceleration.most * length);  // The upper bound of the change of speed over this length, mm/s.
+  const double gain = std::sqrt(2 * acceleration.most * length);  // upper bound of the change of speed over the distance `length`, mm/s
   const Ramp ramp(from, from + gain + acceleration.most * acceleration.build_up, acceleration);
   return ramp.speed_at(ramp.seconds_at(length));
 }

@@ -34,7 +34,8 @@ struct PathPiece {
 class SpeedPlan {
  public:
   /// Plans the speeds from the speed `start`, mm/s, to rest at the end of the last piece.
-  ///   law  top ≤ most; end ≤ enter of the next piece; the change of speed in a piece needs no more length than the piece has
+  ///   law  the speed in a piece is at most `most` of this piece; the speed at its end is at most `enter` of the next piece; the change of
+  ///        speed in a piece needs no more length than the piece has
   void make(std::span<PathPiece> pieces, double start);
 
  private:

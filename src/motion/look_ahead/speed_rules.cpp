@@ -23,7 +23,8 @@ struct AxisAcceleration {
 /// Returns an axis' acceleration from the set-up or from the machine profile. Only this function chooses between these two sources.
 AxisAcceleration acceleration_of(const Setup& setup, const std::string& axis, const MachineProfile& profile) {
   AxisAcceleration found;
-  for (const std::string& name : {std::string("*"), axis}) {  // The axis' own entry is read last, so it overrides the entry "*".
+  // The set-up's entry for the axis itself is read last, so it overrides the entry "*" for all axes.
+  for (const std::string& name : {std::string("*"), axis}) {
     const auto row = setup.machine.find(name);
     if (row == setup.machine.end()) continue;
     const AxisLimits& limits = row->second;
@@ -78,7 +79,8 @@ void obey_parameters(SpeedRules& rules, const Setup& setup, const std::vector<st
   rules.inner_after = std::max(given.of_channel("1408"), 0.0);
   rules.inner_angle = given.of_channel("1409");
   if (const double part = given.of_channel("1410"); part > 0) rules.inner_part = std::min(part, 1.0);
-  rules.overlaps_rapids = given.of_channel("0421", {0, "ROL"});  // INFERRED: the number N0421 of this parameter (NCT 4.1.1)
+  // INFERRED: the bit ROL, which lets rapid motions overlap, belongs to the parameter N0421 (NCT 4.1.1)
+  rules.overlaps_rapids = given.of_channel("0421", {0, "ROL"});
   rules.overlap_from = std::clamp(given.of_channel("0422") / 100, 0.0, 1.0);
   const bool corners = rules.by_axis_change ? limits_something(rules.axis_change) : rules.corner_feed < unlimited;
   const bool zones = rules.inner_part < 1 && rules.inner_angle > 0;

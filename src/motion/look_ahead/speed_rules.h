@@ -14,7 +14,7 @@
 namespace kadr {
 
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
-// The feeds in the parameters are per minute (nct 6.2), the speeds in this room per second.
+// Converts the feeds in the control's parameters, which are per minute (nct 6.2), to the speeds in the folder motion, which are per second.
 inline constexpr double seconds_per_minute = 60;
 
 constexpr Axes axes_filled(double value) {

@@ -9,9 +9,9 @@
 // ramp and at all cell boundaries between these instants. If an axis would exceed its acceleration or jerk limit, a longer ramp is tried,
 // or a ramp to an intermediate override, at which the plan itself uses less jerk. The check is spread over several servo instants, so that
 // no single instant takes long. An override does not lengthen a dwell; a feed hold does. Where the operator's switches have no effect
-// (threads, G63: CellSource::switches), the override returns to 1 as soon as a ramp allows. A thread starts at the override 1, because the
-// axes are at rest before the thread. The spindle rotates in real time at any override. Before a thread the axes wait for the spindle
-// angle.
+// (thread cutting, G63: CellSource::switches), the override returns to 1 as soon as a ramp allows. Thread cutting starts at the override 1,
+// because the axes are at rest before it. The spindle rotates in real time at any override. Before thread cutting the axes wait for the
+// spindle angle.
 //
 // If cells arrive too late, Playback brakes the axes, and continues when enough cells are available.
 
@@ -30,7 +30,7 @@ class Playback {
   /// `rate` is the frequency of the servo clock in Hz. `cells` is the capacity of the cell ring in cells.
   Playback(MotionLimits limits, double rate, std::size_t cells = 8192);
 
-  // The planning thread calls the functions below.
+  // The thread that plans the motion calls the functions below, which pass planned cells to Playback.
 
   /// Appends the cells with the index `first` and above to the ring, as many as fit. Returns the number of appended cells.
   std::size_t offer(const TimedCells& cells, std::size_t first) { return ring_.offer(cells, first); }
@@ -40,13 +40,13 @@ class Playback {
   /// The plan time of all cells offered so far, s.
   double offered() const { return ring_.offered(); }
 
-  // The operator's request below may come from any thread.
+  // The operator's request of an override below may come from any thread.
 
   /// Requests an override, 0 to 1, as a factor of the planned speed; 0 is a feed hold. A value above 1 counts as 1, because it would need a
   /// faster plan.
   void override_to(double share) { requested_.store(share > 0 ? share < 1 ? share : 1 : 0, std::memory_order_relaxed); }
 
-  // The servo clock calls the functions below, in one thread.
+  // The thread of the servo clock calls the functions below, which read positions.
 
   /// Writes the positions at the next instants of the servo clock: `count` rows with the positions of all axes. The function never
   /// allocates memory. It returns the number of rows: 0 before the first cell arrives, and fewer than `count` when the motion is over. The
@@ -70,7 +70,7 @@ class Playback {
   double played() const { return now_.played + now_.at.t; }
   /// The plan time that can still be played without further cells, s.
   double ahead() const { return ring_.offered() - played(); }
-  /// Playback brakes the axes if ahead() is less than this plan time, in s.
+  /// Playback brakes the axes if the planned motion that is left to play takes less than this time, s.
   static constexpr double reserve = 1;
   /// The number of servo instants at which the axes had to stop abruptly because no cells were available. It is 0 unless braking takes
   /// longer than the reserve.
@@ -80,27 +80,28 @@ class Playback {
   /// A position in the plan: a cell and a time in this cell.
   struct Cursor {
     std::uint64_t cell = 0;
-    double t = 0;  // plan time since the start of the cell, s
+    double t = 0;  // time of the plan since the start of the cell, s; at an override below 1 it passes more slowly than the clock's time
   };
   struct Place {
     Cursor at;
     OverrideRamp ramp{1};  // the ramp that is being played
     double on_ramp = 0;    // time since the start of the ramp that is being played, s
-    double played = 0;     // plan time of the completed cells, s
+    double played = 0;     // time of the plan, s, at the end of the completed cells
     std::uint64_t instant = 0, tag = 0, motion = 0, starved = 0;
     // `spindle` is the spindle angle, and `slip` is the actual spindle angle minus the planned angle, both in degrees.
     double spindle = 0, slip = 0;
     double last_override = 1;  // the last requested override above 0, as a factor of the planned speed
     bool started = false, done = false;
 
-    // The fields below belong to the next ramp, which is checked before it is used.
+    // The fields below belong to the next override ramp, which is checked against the axis limits before Playback uses it.
     bool trying = false, tried = false;
-    double goal = 1;  // the override to which the ramps lead, or the current override
+    double goal = 1;  // override to which the ramp under check leads; without such a ramp the current override
     OverrideRamp next{1};
-    std::uint64_t begins = 0;  // servo instant at which `next` starts
-    Cursor probe;              // position in the plan up to which `next` is checked
-    double on_next = 0;        // time of the probe since the start of `next`, s
-    double over = 0;  // Allowed excess over the jerk limits, as a fraction of these limits. It is above 0 so that a feed hold cannot fail.
+    std::uint64_t begins = 0;  // number of the servo instant at which the ramp `next` starts
+    Cursor probe;              // position in the plan up to which the ramp `next` is checked
+    double on_next = 0;        // time of the last checked position since the start of the ramp `next`, s
+    // Allowed excess of the ramp `next` over the jerk limits, as a fraction of these limits. It is above 0 so that a feed hold cannot fail.
+    double over = 0;
   };
 
  public:

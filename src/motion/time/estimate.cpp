@@ -62,7 +62,8 @@ double Rates::least_most() const {
 /// speed, which is correct for an arc of a quadrant or more.
 SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motion& motion, const Axes& most) {
   SlowestAxis slowest;
-  // In polar and cylindrical interpolation the rotary axis limits the feed (polar_feed.h), so no linear axis is compared.
+  // In polar and cylindrical interpolation the rotary axis limits the feed (polar_feed.h), so the rapid rates of the axes are not compared
+  // here.
   if (curve.surface() != PathSurface::plane) return slowest;
   for (std::size_t i = 0; i < roles.count; ++i) {
     const bool turns = !curve.straight() && (i == motion.first || i == motion.second);
@@ -105,8 +106,8 @@ double TimeEstimate::rapid_minutes(const Curve& curve) const {
   return minutes;
 }
 
-/// Returns the time, min, of a thread. The thread lead is the travel per revolution of the axis with the longest travel (nct 4.4).
-/// Overrides do not apply to threads.
+/// Returns the time, min, of a thread-cutting motion. The thread lead is the travel per revolution of the axis with the longest travel (nct
+/// 4.4). Overrides do not apply to threads.
 double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) const {
   double longest = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.travel(i)));
@@ -115,7 +116,7 @@ double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) co
 
 /// Returns the time, min, at a feed in mm/rev, for a spindle whose speed depends on the tool's position (nct 11.5).
 double TimeEstimate::turning_minutes(const Motion& motion, const Curve& curve, double feed) const {
-  constexpr double error = 1e-9;  // relative error of the integration of the time
+  constexpr double error = 1e-9;  // greatest relative error of the time that the numerical integration yields
   const SpindleTurning& spindle = turning(motion);
   return integral([&](double part) { return curve.rate(motion.along, part) / (feed * spindle.at(curve.at(part))); }, 0, 1, error);
 }

@@ -15,10 +15,10 @@ class LostTime {
   struct Place {
     std::uint16_t file = 0;  // the program file that contains `line`, numbered as in Origin::file
     std::uint32_t line = 0;
-    std::uint64_t times = 0;  // number of executions of the line
+    std::uint64_t times = 0;  // number of executions of the program line
     bool rapid = false;       // true if the last execution of the line was a rapid motion
-    double seconds = 0;       // time spent on the line, s
-    double at_feed = 0;       // time at the programmed feed or rapid rate alone, s
+    double seconds = 0;       // time spent on the program line in all its executions, s
+    double at_feed = 0;       // time that the executions of the line would take at the programmed feed or rapid rate alone, s
     LimitedBy by{};           // the limit that caused most of the lost time on the line
     double by_part = 0;       // fraction (0 to 1) of the lost time that the limit `by` caused
     double lost() const { return seconds - at_feed; }

@@ -13,6 +13,7 @@ namespace kadr {
 /// The distribution of time along one curve. The curve must outlive the Pace, because the Pace keeps a reference to the curve.
 class Pace {
  public:
+  /// Prepares the distribution of the time along `curve`, the curve of `motion`.
   ///   feed   feed in mm/min along the length to which the motion's feed refers; 0: rapid motion
   ///   rapid  rapid rate of each axis, mm/min or degrees/min
   Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, double feed, const Axes& rapid, const SpindleTurning& spindle);

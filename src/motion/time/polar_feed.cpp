@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr double time_error = 1e-9;  // relative error of the integration; the error is less than a millisecond in a week
+constexpr double time_error = 1e-9;  // greatest relative error of the integrated time: less than a millisecond in a week of machining
 
 /// Integrates a function of the position over the motion. The integrand has its peak near the rotation centre, where the rotary axis is
 /// fastest. The motion is therefore divided at the peak, and each half is integrated separately.

@@ -10,7 +10,7 @@ namespace kadr {
 
 /// Feed limits of one motion in polar interpolation.
 struct PolarFeed {
-  double feed = 0;              // commanded feed, mm/min, along the length that `along` selects
+  double feed = 0;  // commanded feed, mm/min; the member `along` says whether it refers to the programmed path or another length
   double max_rotary_speed = 0;  // speed limit of the rotary axis, degrees/min; 0: no limit
   FeedAlong along = FeedAlong::path;
 };

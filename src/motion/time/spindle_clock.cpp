@@ -68,7 +68,8 @@ double SpindleClock::seconds_to(double angle, double ahead) const {
   constexpr double same = 1e-9;  // Fraction of a revolution. A zero pulse that occurred at most this fraction ago counts as occurring now.
   const double rate = std::fabs(per_second()), angle_now = spindles_[leading_].angle, turned = turning().reversed ? -angle_now : angle_now;
   const double pulse = full_turn * std::ceil(turned / full_turn - same);
-  const double least = rate * ahead;  // the least rotation since the zero pulse, degrees
+  // rotation of the spindle in the time `ahead`, degrees; the motion starts after the zero pulse, so its angle is at least this value
+  const double least = rate * ahead;
   const double more = full_turn * std::max(0.0, std::ceil((least - angle) / full_turn - same));
   return std::max(0.0, (pulse - turned + angle + more - least) / rate);
 }

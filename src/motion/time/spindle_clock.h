@@ -59,7 +59,7 @@ class SpindleClock {
   struct Turned {
     SpindleTurning turning;
     double angle = 0;       // spindle angle at the end of the last emitted cell, degrees
-    bool absolute = false;  // true if `angle` was commanded (M19, positioning)
+    bool absolute = false;  // true if the program commanded `angle` (M19, positioning)
   };
   Turned& led() { return spindles_[leading_]; }
   Turned& numbered(std::size_t number);

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the motion of an action. If the action is not a motion, a new motion replaces its content.
+/// Returns the motion of an action, so that the caller can change it. If the action is not a motion, a new motion replaces its content.
 Motion& motion_in(Action& action) {
   if (auto* const m = motion_of(action)) return *m;
   return action.what.emplace<Motion>();
@@ -36,13 +36,14 @@ void RadiusCompensation::release_first() {
   Held& first = held(0);
   if (mended != RepairOutcome::sound) {
     const Origin origin = held(mended == RepairOutcome::first_fails ? 0 : 1).origin;
-    // If N1404 sets a look-ahead beyond the next junction, the alarm comes before this motion is emitted.
+    // If N1404 sets no look-ahead beyond the next junction, the alarm comes after the first motion. Otherwise it comes before this motion
+    // is emitted.
     if (mended == RepairOutcome::next_fails && now_.check.further == 0) (void)let_go(first);
     const AlarmId id = first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection;
     if (!fault_) fault(alarm(id, {}), origin);
     return;
   }
-  if (first.end.round) now_.round_first = first.motion;  // The motion is copied, because let_go() moves it away.
+  if (first.end.round) now_.round_first = first.motion;  // The motion is copied here, because let_go() moves it out of `first`.
   if (!let_go(first)) return;
   now_.vector = first.end.first();
   for (Action& action : first.waiting) {
@@ -58,8 +59,9 @@ void RadiusCompensation::release_first() {
   drop_first();
 }
 
-/// Moves the tool around the corner at the end of `first`, from the first vector at this corner to the last vector. Straight moves have the
-/// feed and kind of the next motion; an arc has the feed of the next motion, or of the first motion if the next motion is rapid or unknown.
+/// Moves the tool around the corner at the end of `first`, from the first compensation vector at this corner to the last vector. Straight
+/// moves have the feed and kind of the next motion; an arc has the feed of the next motion, or of the first motion if the next motion is
+/// rapid or unknown.
 void RadiusCompensation::go_around_corner(const Held& first) {
   const bool follows = now_.count > 1;
   if (first.end.round) {
@@ -140,9 +142,9 @@ bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) co
   return true;
 }
 
-/// Moves the tool from the current vector to the vector `to` along an arc about the programmed point (NCT 15.5.6).
+/// Moves the tool from the current compensation vector to the vector `to` along an arc about the programmed point (NCT 15.5.6).
 void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
-  // The swept angle in degrees; counter-clockwise is positive.
+  // The angle that the arc sweeps, in degrees; counter-clockwise is positive.
   const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});
   const bool cw = like.side > 0;
   const double turns = (cw ? -swept : swept) / 360;

@@ -172,7 +172,8 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
     v.add(radius * n2);
     return v;
   }
-  // The distance of the intersection from the corner is |n1 + n2| / (1 + n1 · n2), in tool radii.
+  // The distance of the intersection from the corner is |n1 + n2| / (1 + n1 · n2) in tool radii, where n1 and n2 are the unit normals of
+  // the offset lines.
   if ((1 + dot(n1, n2)) * farthest_corner * farthest_corner < 2) return std::nullopt;
   if (first.is_arc) v.add(radius * n1);
   v.add(of_tangents(n1, n2, radius));
@@ -235,7 +236,8 @@ JunctionVectors cancel(const ContourElement& first, const ContourElement& second
 }
 
 bool is_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector, double radius, double side) {
-  constexpr double tolerance = tol::same_point / 10;  // a tenth of same_point, which is the accuracy of results about a path
+  // a tenth of tol::same_point, because results about a path are accurate to tol::same_point
+  constexpr double tolerance = tol::same_point / 10;
   const Vec2 from = e.from + start_vector, to = e.to + end_vector;
   if (e.is_arc) {
     const double inside = side * e.sense() * radius, first = e.start_radius - inside, last = e.end_radius - inside;
@@ -249,7 +251,7 @@ bool is_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector, d
 
 bool gentle(const ContourElement& first, const ContourElement& second) {
   if (dot(first.end, second.start) < 0) return false;
-  constexpr double quarter = 0.25;  // the greatest change of direction at the corner, in revolutions
+  constexpr double quarter = 0.25;  // greatest change of direction at a corner that counts as gentle, in revolutions
   const double rest = tangential(first.end, second.start) ? 2 * quarter : quarter;
   return std::fabs(first.turns) + std::fabs(second.turns) <= rest;
 }

@@ -18,7 +18,7 @@ std::optional<CompensationFault> CornerResolver::take(ActionBatch& batch, Follow
   put_back(batch);
   const std::size_t begin = now_.held ? 0 : untouched(batch, follows);
   follow(batch, 0, begin);
-  // The usual case: no corner affects the batch, so the batch stays unchanged.
+  // The usual case: no corner can affect an action of the batch, so the batch stays unchanged.
   if (!now_.held && begin == batch.size()) return std::nullopt;
   out_.clear();
   fault_.reset();

@@ -31,21 +31,22 @@ class CornerResolver {
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
  private:
-  enum class End : std::uint8_t { programmed, open };  // `open`: an over-determined block that follows may still move the end.
+  // The end of a motion is its programmed end, or `open`: an over-determined block that follows may still move this end.
+  enum class End : std::uint8_t { programmed, open };
   enum class Certainty : std::uint8_t { certain, settled_later };
 
   /// The start of a motion: the corner with the previous motion, and the travel that a chamfer or rounding at this corner removes from the
   /// motion.
   struct Start {
     Vec2 corner;
-    Vec2 direction;           // direction of the motion's element at the corner, before a chamfer or rounding shortened the element
-    double cut = 0;           // travel removed from the start of the motion (unit: corner_geometry.h)
+    Vec2 direction;  // direction of the motion's element at the corner, before a chamfer or rounding shortened the element
+    double cut = 0;  // travel that a chamfer or rounding removes from the start of the motion, in mm on a line and in revolutions on an arc
     bool calculated = false;  // True if the corner was calculated. It may then differ from the programmed end of the previous motion.
   };
   struct Held {
     Action action;
     Start start;
-    Vec2 end;  // programmed end of the motion
+    Vec2 end;  // programmed end of the motion in its plane
   };
 
  public:

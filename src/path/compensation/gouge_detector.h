@@ -48,7 +48,9 @@ class GougeDetector {
   ///   law  the end of the contour is compared with its start, whatever the length of the contour is
   std::optional<ContourGouge> end();
 
-  static constexpr std::size_t reach = 40;  // A number of pieces. Short moves around corners count as pieces too.
+  // Number of contour pieces, before and after a piece of the tool's path, with which this piece is compared. Short moves around corners
+  // count as pieces too.
+  static constexpr std::size_t reach = 40;
 
  private:
   static constexpr std::size_t group_size = 8, groups = reach / group_size + 1;
@@ -59,16 +61,17 @@ class GougeDetector {
     Origin origin;
     std::uint64_t number = 0;
   };
-  /// The last pieces, in groups. Each group has a bounding box. Most groups are far away, so they are skipped as a whole. `first` has the
-  /// first pieces after these pieces have left the ring buffer.
+  /// The last pieces of a path, in a ring buffer of groups. Each group has a bounding box. Most groups are far away from the tool, so they
+  /// are skipped as a whole. `first` stores the first pieces of the path after they have left the ring buffer.
   struct Ring {
     std::array<Seen, group_size * groups> at;
     std::array<Box2, groups> boxes;
     std::vector<Seen> first;
     std::uint64_t count = 0;
-    std::size_t place = 0;  // index at which the next piece is stored
-    /// True if the next piece overwrites one of the first pieces. The caller must then copy the first piece to `first`.
-    // The difference is unsigned, so the result is false while `count` is below at.size().
+    std::size_t place = 0;  // index in the ring buffer at which the next piece is stored
+    /// True if the next piece overwrites one of the path's first pieces in the ring buffer. The caller must then copy this first piece to
+    /// `first`.
+    // The difference of the numbers is unsigned, so the result is false as long as the ring buffer is not full.
     bool loses_first() const { return count - at.size() < at.size(); }
     void keep_first() { first.push_back(at[place]); }
     template <class Make>
@@ -94,9 +97,10 @@ class GougeDetector {
   ContourGouge& cut_into(std::uint64_t number);
 
   Ring contour_, path_;
-  std::array<ContourGouge, group_size * groups> cuts_;  // the deepest cut into each piece of the ring buffer
-  std::vector<ContourGouge> first_cuts_;                // the deepest cut into each of the first pieces
-  ContourGouge worst_;  // the deepest cut into pieces that have left the ring buffer and are not among the first pieces
+  std::array<ContourGouge, group_size * groups> cuts_;  // the deepest cut of the tool into each contour piece in the ring buffer
+  std::vector<ContourGouge> first_cuts_;                // the deepest cut of the tool into each of the first pieces of the contour
+  // the deepest cut into contour pieces that have left the ring buffer and are not among the first pieces of the contour
+  ContourGouge worst_;
   bool any_ = false;
 };
 

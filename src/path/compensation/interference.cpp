@@ -73,7 +73,7 @@ std::optional<ContourJoin> join_by_offsets(Window window, std::size_t j) {
   if (!first.plain || !next.plain || first.side != next.side) return std::nullopt;
   const Vec2 point = first.element->to;
   OffsetElement beyond = offset_at_start(*next.element, first.radius, next.side);
-  // This correction of the distance is needed for a line that does not start at `point`.
+  // The offset line is given relative to `point`, so its distance is corrected for an element that does not start there.
   beyond.distance += dot(beyond.normal, next.element->from - point);
   const auto meet = intersection(offset_at_end(*first.element, first.radius, first.side), beyond, point);
   if (!meet) return std::nullopt;

@@ -21,9 +21,9 @@ struct CompensatedBlock {
 
 /// The result of the check. Block `next` of the window follows the first block directly; the blocks between the two are dropped.
 struct ContourJoin {
-  std::size_t next = 1;     // 1: there is no interference, so nothing changes
-  JunctionVectors vectors;  // the vectors at the end of the first block, relative to the programmed end of this block
-  Vec2 start_vector;        // the vector at the start of block `next`, relative to the programmed start of this block
+  std::size_t next = 1;  // number of the block in the window that follows the first block; 1: there is no interference, so nothing changes
+  JunctionVectors vectors;  // the compensation vectors at the end of the first block, relative to the programmed end of this block
+  Vec2 start_vector;        // the compensation vector at the start of block `next`, relative to the programmed start of this block
 };
 
 /// Returns true if the tool moves backwards in this block. The vectors at both ends of the block must be known.

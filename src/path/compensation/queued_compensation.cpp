@@ -12,8 +12,10 @@
 namespace kadr {
 namespace {
 
-constexpr double least_speed_by_time = 0.1;  // The least speed with inverse-time feed, units/min (inverse_time_rate_straight of LinuxCNC).
-constexpr double least_length_by_time = 1e-7;  // The least length with inverse-time feed, mm (find_straight_length of LinuxCNC).
+// least speed of a motion with inverse-time feed, units/min (inverse_time_rate_straight of LinuxCNC)
+constexpr double least_speed_by_time = 0.1;
+// least programmed length of a motion with inverse-time feed, mm (find_straight_length of LinuxCNC)
+constexpr double least_length_by_time = 1e-7;
 
 /// Returns the number of started revolutions of an arc, positive counter-clockwise.
 int turn_of(const Motion& m) {

@@ -50,11 +50,12 @@ class QueuedCompensation {
 
   struct Queued {
     Action action;
-    bool moves = false;              // true for a motion; false for an action that only waits in the queue
-    Vec2 end;                        // end position of the tool's centre in the plane, mm
-    Vec2 direction;                  // programmed direction of a straight motion; zero for a motion along the third axis
-    std::optional<QueuedArc> arc{};  // The tool's path along an arc. The member `end` above replaces the end in this path.
-    double swept = 0;                // swept angle of the programmed arc, rad
+    bool moves = false;  // true for a motion; false for an action that only waits in the queue
+    Vec2 end;            // end position of the tool's centre in the plane, mm
+    Vec2 direction;      // programmed direction of a straight motion; zero for a motion along the third axis
+    // The tool's path along the arc, if the motion is an arc. When the queue is corrected, its end becomes equal to the member `end`.
+    std::optional<QueuedArc> arc{};
+    double swept = 0;  // swept angle of the programmed arc, rad
     // The programmed length divided by the programmed time, mm/min, with inverse-time feed; 0: the feed of the action applies.
     double speed = 0;
     bool watched = false;  // True if GougeDetector checks whether the tool cuts into the contour on this path.
@@ -84,7 +85,7 @@ class QueuedCompensation {
   void resume_from(const Memory& memory) { now_ = memory; }
 
  private:
-  // The functions below are the input.
+  // The functions below are the input: they accept actions and put them into the queue.
   void next(Action& action);
   void wait(Action& action);
   void end_here(const CompensationBreak& end);

@@ -9,7 +9,7 @@ namespace kadr {
 namespace {
 
 constexpr double half_turn = pi, quarter_turn = pi / 2;
-constexpr double small_angle = 0.05;        // angle in rad; TOLERANCE_CONCAVE_CORNER of LinuxCNC's source
+constexpr double small_angle = 0.05;  // tolerance, rad, for the comparison of corner angles: TOLERANCE_CONCAVE_CORNER of LinuxCNC's source
 constexpr double least_entry_cos = 0.0001;  // TOLERANCE_EQUAL of LinuxCNC's source
 
 double angle_of(Vec2 v) { return std::atan2(v.y, v.x); }
@@ -94,7 +94,7 @@ Result<QueuedCorner> corner_to_line(const CornerSituation& p, Vec2 to) {
     if (!meet) return fail(meet.error());
     return QueuedCorner{CornerKind::inner, *meet, to + normal};
   }
-  // The divisor is never 0, because the gouge checks detect a reversal.
+  // The divisor (the tangent) is never 0, because the gouge checks detect a reversal of the path.
   const double retreat = p.radius / std::tan((beta + half_turn) / 2);
   return QueuedCorner{CornerKind::inner, p.tool + at_angle(retreat, theta + across), to + normal};
 }

@@ -20,10 +20,10 @@
 
 namespace kadr {
 
-/// The tool's path along an arc.
+/// The path of the tool's centre along an arc of the contour.
 struct QueuedArc {
   Vec2 end, center;
-  int turn = 1;  // number of started revolutions, positive counter-clockwise
+  int turn = 1;  // number of revolutions that the arc has started, positive counter-clockwise
 };
 
 /// Returns the angle from one point of a circle to another point in rad, positive counter-clockwise. If the points coincide, the angle is a
@@ -34,7 +34,7 @@ double swept_by(Vec2 from, Vec2 center, int turn, Vec2 to);
 struct CornerSituation {
   Vec2 point;                         // the programmed corner
   Vec2 tool;                          // Tool position next to the corner, at the end of the previous element.
-  double radius = 0, side = 1;        // tool radius in mm, and side of the tool
+  double radius = 0, side = 1;        // tool radius in mm, and side of the tool: +1 left, −1 right of the path
   std::optional<QueuedArc> arc = {};  // The tool's path along the previous element, if this element is an arc.
   bool held = true;                   // True if the tool's path along the previous element may still be changed.
 };

@@ -146,7 +146,7 @@ void RadiusCompensation::motion(Action& action) {
 }
 
 /// Emits a motion without compensation to the programmed point. If the motion has a compensation side and its block programs no axis of the
-/// plane, the vector remains; otherwise it becomes zero.
+/// plane, the tool's centre keeps its vector from the programmed point; otherwise this vector becomes zero.
 void RadiusCompensation::outside_contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const bool stays = m.side != 0 && (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) == 0;
@@ -198,7 +198,8 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   Held& now = held(now_.count++);
   now.motion = std::move(std::get<Motion>(action.what));
   now.origin = action.origin;
-  // The addresses differ if the interference check has dropped the blocks between the two motions.
+  // Copies the element only if it is not at this location already. It is elsewhere if the interference check has dropped the blocks between
+  // the two motions.
   if (&now.element != &element) now.element = element;
   now.start_vector = start_vector;
   now.end.count = 0;
@@ -257,8 +258,8 @@ void RadiusCompensation::leave() {
   for (Action& action : waiting) deliver(std::move(action));
 }
 
-/// Lets the program continue from the tool's current position. The function adds the vector to the programmed point and ends the
-/// compensation of the contour.
+/// Lets the program continue from the tool's current position. The function adds the vector from the programmed point to the tool's centre
+/// to the programmed point, and ends the compensation of the contour.
 void RadiusCompensation::stay() {
   flush({});
   if (fault_) return;

@@ -64,9 +64,12 @@ class RadiusCompensation {
     Origin origin;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;   // The vectors at the end of the motion. The list is empty if they are unknown or the offsets do not meet.
-    bool rejoins = false;  // True if an arc of the programmed radius joins the compensated ends (NCT 15.5.4).
-    // True if `end` follows from the corner rules and the tool is on the same side of this motion and the next motion.
+    // Vectors from the programmed end of the motion to the tool's centre. The list is empty if they are unknown or the offsets do not meet.
+    JunctionVectors end;
+    // True if the side changes after an arc without an intersection; an arc of the programmed radius then joins the compensated ends (NCT
+    // 15.5.4).
+    bool rejoins = false;
+    // True if the corner rules determine the vectors in `end`, and the tool is on the same side of this motion and the next motion.
     bool regular = false;
     std::uint64_t number = 0;       // number of the motion's contour piece in GougeDetector
     bool watched = false;           // True if GougeDetector checks whether the tool cuts into the contour on this path.
@@ -87,7 +90,8 @@ class RadiusCompensation {
     Motion round_first;  // the motion before an arc about the programmed point
     CompensationCheck check;
     std::optional<Action> corner;  // a G39 that waits for the next motion
-    std::optional<Action> zero;    // A block without displacement in the plane, in which the tool moves to the next vector.
+    // A block without displacement in the plane, in which the tool's centre moves to the vector of the next junction.
+    std::optional<Action> zero;
     GougeDetector watch;
     double radius_before = 0;    // tool radius of the last emitted motion, mm
     bool regular_start = false;  // True if the first motion of the window starts at a regular junction (Held::regular).
@@ -97,7 +101,7 @@ class RadiusCompensation {
   void resume_from(const Memory& memory) { now_ = memory; }
 
  private:
-  // The functions below are the input.
+  // The functions below are the input: they accept actions and store motions in the window.
   void next(Action& action);
   void frame_change(Action& action, FrameChange& frame);
   void motion(Action& action);
@@ -113,7 +117,7 @@ class RadiusCompensation {
   std::optional<JunctionVectors> vectors_to(const Motion& next, const ContourElement& second);
   ContourElement element_of(const Motion& motion) const;
 
-  // The functions below are the output.
+  // The functions below are the output: they check and emit the stored motions.
   enum class RepairOutcome : std::uint8_t { sound, next_fails, first_fails };
   RepairOutcome mend_first();
   std::span<const CompensatedBlock> checked_blocks();
@@ -134,7 +138,7 @@ class RadiusCompensation {
   Vec2 in_plane(const Axes& axes) const { return {axes[now_.first], axes[now_.second]}; }
   void fault(const Alarm& alarm, const Origin& origin) { fault_ = CompensationFault{alarm, origin}; }
 
-  // The functions below access the window.
+  // The functions below access the window of stored motions.
   Held& held(std::size_t i) { return now_.window[(now_.head + i) % now_.window.size()]; }
   Held& last_held() { return held(now_.count - 1); }
   void drop_first() { now_.head = (now_.head + 1) % now_.window.size(), --now_.count; }

@@ -11,15 +11,15 @@ namespace kadr {
 /// The line or the circle on which an element lies (NCT 17.3.9).
 struct Support {
   bool is_circle = false;
-  Vec2 point;      // on a line any of its points; on a circle the start of the element
+  Vec2 point;      // a point on the line or circle: any point of a line, but the start of the element on a circle
   Vec2 direction;  // unit vector in the direction of travel of a line
-  Vec2 center;     // centre of a circle; `radius` is its radius, mm
+  Vec2 center;     // centre of the circle; `radius` is its radius, mm
   double radius = 0;
 };
 
 /// The choice of one of two intersections as the corner.
 struct CornerChoice {
-  bool farther = false;   // true: the second intersection is the corner (word Q above 0)
+  bool farther = false;   // true: the second of the two intersections is the corner (word Q above 0)
   bool mirrored = false;  // True: the plane is mirrored, so clockwise becomes counter-clockwise.
 };
 

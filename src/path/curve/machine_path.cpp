@@ -88,7 +88,7 @@ Extents MachinePath::rough_extents() const {
 /// position of a linear axis has about one extreme. The samples must be so close that at most about one extreme lies between two
 /// neighbouring samples.
 int MachinePath::samples_with_tip_control() const {
-  constexpr double between = 15;  // rotation between two samples, degrees
+  constexpr double between = 15;  // greatest rotation of a rotary axis between two samples of the path, degrees
   double rotation = 0;
   for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(left));

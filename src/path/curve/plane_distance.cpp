@@ -58,7 +58,7 @@ double inner_arcs(const PlanePiece& a, const PlanePiece& b) {
   double least = HUGE_VAL;
   const Vec2 between = b.center - a.center;
   const double d = length(between);
-  if (d == 0) return least;  // For concentric arcs the distances at the ends are sufficient.
+  if (d == 0) return least;  // For concentric arcs the distances at their end points are sufficient, so no further distance is returned.
   const Vec2 u = 1 / d * between;
   for (const double i : {-1.0, 1.0})
     for (const double j : {-1.0, 1.0})

@@ -16,7 +16,8 @@ namespace {
 // The greatest distance between a corner and its carrier, mm: the sum of three chord errors. One is the error of the source, one the error
 // of the offset, and one is a reserve.
 constexpr double off = 3 * tol::area_chord;
-constexpr std::size_t across = 64;  // number of grid cells of the carrier index in each direction
+// number of cells in each direction of the grid that finds the carriers (lines and circles) near a point
+constexpr std::size_t across = 64;
 
 double away(const Carrier& c, Vec2 p) {
   return c.line ? std::abs(cross(c.direction, p - c.point)) : std::abs(length(p - c.point) - c.radius);
@@ -32,7 +33,7 @@ bool carries(const Carrier& c, Vec2 a, Vec2 b) {
   if (away(c, a) > off || away(c, b) > off) return false;
   if (c.line) return true;
   const double chord = length(b - a);
-  // The condition means that the distance of the chord from the circle is at most 2 · off.
+  // The chord may lie on the circle if its middle is at most 2 · off away from the circle.
   return chord * chord <= 16 * off * c.radius && c.radius > off;
 }
 
@@ -85,7 +86,7 @@ void emit_arc(Edges& path, const Carrier& c, Vec2 a, Vec2 b, double about) {
 
 /// A sequence of consecutive chords that all lie on the same carrier.
 struct Carriers::Run {
-  std::size_t first = 0, count = 0;  // index of the first chord, and number of chords
+  std::size_t first = 0, count = 0;  // index of the first chord of the run, and number of its chords
   std::optional<std::uint32_t> carrier;
 };
 

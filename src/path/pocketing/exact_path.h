@@ -10,8 +10,8 @@ namespace kadr::area {
 /// A carrier is a line or a circle on which chords of a polygon may lie.
 struct Carrier {
   bool line = true;
-  Vec2 point;      // a point of the line, or the centre of the circle
-  Vec2 direction;  // direction of a line as a unit vector
+  Vec2 point;      // any point of the carrier line, or the centre of the carrier circle
+  Vec2 direction;  // direction of the carrier line as a unit vector
   double radius = 0;
   Bounds box;
 };

@@ -77,7 +77,8 @@ class Fields {
       field.reach_area = flattened(field.reach, chord);
       if (field.reach.empty()) continue;
       field.work = open_.empty() ? field.reach : recovered(common(work, part), carriers(passes_beyond));
-      // The tool's centre stays outside the zone, and the tool cuts through an open side only.
+      // If the reduced area is empty, the passes cover the whole area that the tool's centre may reach. The tool's centre then stays
+      // outside the zone, and the tool cuts through an open side only.
       if (field.work.empty()) field.work = field.reach;
       field.work_area = flattened(field.work, chord);
       field.roomy = Room(grown(field.reach_area, tol::area_wall / 2, chord));
@@ -111,7 +112,8 @@ class Fields {
 std::vector<Field> fields_of(const Zone& zone, const Job& job) {
   const double off_walls = job.radius + job.allowance;
   std::vector<Field> fields = Fields(zone, job, off_walls).make();
-  // The smaller distance from the walls allows a slot whose width is exactly the tool's diameter.
+  // If no field is found, the required distance from the walls is reduced by a half of tol::area_wall. This allows a slot whose width is
+  // exactly the tool's diameter.
   if (fields.empty()) fields = Fields(zone, job, off_walls - tol::area_wall / 2).make();
   return fields;
 }

@@ -16,7 +16,7 @@ struct Field {
   // passes leave uncut are cut along `reach`.
   std::vector<Edges> work;
   Polygons work_area;
-  Room roomy;   // The slightly enlarged `reach_area`, inside which the tool's centre must stay.
+  Room roomy;   // the area `reach_area`, enlarged by a half of the tolerance tol::area_wall; the tool's centre must stay inside it
   Edges walls;  // walls of the zone
   Polygons zone;
   Polygons required;  // The part of the zone that the tool can clear: the zone without corners and narrow parts.

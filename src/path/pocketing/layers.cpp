@@ -72,7 +72,7 @@ class Layers {
 
   void pass(const Pass& pass, bool first) {
     if (first) return first_pass(pass);
-    // If the start is so near, a lift would end at about the position where it began, so the tool is not lifted.
+    // If the start of the pass is near the tool, a lift would end at about the position where it began, so the tool is not lifted.
     if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)
       if (const auto begun = pass_start_from(*field_, job_, pass, here(), out_)) {
         cut(begun->link);
@@ -216,7 +216,8 @@ class Layers {
   /// Returns true if no material is left on this level under a tool at `point`.
   bool cleared(Vec2 point) const {
     for (const Edge& e : cut_)
-      if (distance(e, point) < tol::same_point) return true;  // The tool has already cut at this point.
+      // The tool has already cut along an edge through this point, so no material is left here.
+      if (distance(e, point) < tol::same_point) return true;
     Polygons near;
     const Bounds tool{point - Vec2{job_.radius, job_.radius}, point + Vec2{job_.radius, job_.radius}};
     for (const Edge& e : cut_)

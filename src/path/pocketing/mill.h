@@ -13,21 +13,22 @@
 namespace kadr::area {
 
 enum class Scheme : std::uint8_t {
-  zigzag,               // ЗИГЗАГ: rows that are cut back and forth
-  zigzag_then_contour,  // 1ЗИГЗАГ: zigzag, then a pass along the boundary
-  contour_then_zigzag,  // 2ЗИГЗАГ: a pass along the boundary, then zigzag
-  spiral_out,           // СПИР: equidistant rings from the middle outwards
-  spiral_in,            // АСПИР: equidistant rings from the boundary inwards
-  comb,                 // ШТИП: rows that are all cut in the same direction; the tool returns above the material
-  comb_then_contour,    // 1ШТИП: comb, then a pass along the boundary
-  contour_then_comb,    // 2ШТИП: a pass along the boundary, then comb
+  zigzag,               // scheme ЗИГЗАГ: rows that are cut back and forth
+  zigzag_then_contour,  // scheme 1ЗИГЗАГ: zigzag rows, then a pass along the boundary
+  contour_then_zigzag,  // scheme 2ЗИГЗАГ: a pass along the boundary, then zigzag rows
+  spiral_out,           // scheme СПИР: equidistant rings from the middle outwards
+  spiral_in,            // scheme АСПИР: equidistant rings from the boundary inwards
+  comb,                 // scheme ШТИП: rows that are all cut in the same direction; the tool returns above the material
+  comb_then_contour,    // scheme 1ШТИП: comb rows, then a pass along the boundary
+  contour_then_comb,    // scheme 2ШТИП: a pass along the boundary, then comb rows
 };
-// The direction of travel around the zone, ПЧС and ЧС. With M3 (spindle clockwise), `ccw` is climb milling along a wall.
+// The direction of travel around the zone: counter-clockwise (ПЧС) or clockwise (ЧС). With M3 (spindle clockwise), `ccw` is climb milling
+// along a wall.
 enum class Direction : std::uint8_t { ccw, cw };
 enum class Plunge : std::uint8_t {
-  hole,        // ЗАСВ: the tool moves straight down into a predrilled hole
-  tangential,  // КАС: the tool moves down next to the pass, and then into the pass along an arc
-  ramp,        // СПУСК: the tool moves down a ramp, back and forth along the start of the pass
+  hole,        // plunge ЗАСВ: the tool moves straight down into a predrilled hole
+  tangential,  // plunge КАС: the tool moves down next to the pass, and then into the pass along an arc
+  ramp,        // plunge СПУСК: the tool moves down a ramp, back and forth along the start of the pass
 };
 
 enum class Stage : std::uint8_t { passes, path, verification };
@@ -48,7 +49,7 @@ struct Job {
   double step = 5;        // distance between passes
   double top = 0;         // Z level of the material's surface
   double depth = 1;       // depth of the pocket below the level `top`
-  double layer = 1;       // greatest depth of one layer
+  double layer = 1;       // greatest depth of one layer, mm
   double clearance = 5;   // height of the level for rapid motion above the level `top`
   double overrun = 2;     // how far the circumference of the tool moves beyond open sides
   double angle = 0;       // angle between the zigzag or comb rows and the X axis, degrees
@@ -61,13 +62,14 @@ struct Job {
   Watch watch;
 };
 
-enum class MoveKind : std::uint8_t { rapid, feed, plunge };  // `plunge` is a downward move of the tool at the plunge feed.
+// The kind of a move of the tool; `plunge` is a downward move at the plunge feed.
+enum class MoveKind : std::uint8_t { rapid, feed, plunge };
 
 /// A straight move, or an arc in the XY plane, that starts at the end of the previous move.
 struct Move {
   MoveKind kind = MoveKind::rapid;
   Vec3 to;
-  double bulge = 0;  // shape of the arc, defined as in Edge; 0 for a straight move
+  double bulge = 0;  // the shape of an arc as Edge defines it (bulge); 0 for a straight move
 };
 
 /// The number of plunges into uncut material, by the type of the plunge.
@@ -86,7 +88,7 @@ struct AreaPath {
   std::size_t layers = 0;
   std::size_t lifts = 0;   // number of times the tool is lifted within a layer
   std::size_t fields = 0;  // number of areas (Field) within which the tool's centre can move without a lift
-  double step = 0;         // the distance between passes that was used, mm
+  double step = 0;         // distance between neighbouring passes that the computation used, mm
 };
 
 /// Returns the Z levels of the layers from the top down. All layers have the same depth.

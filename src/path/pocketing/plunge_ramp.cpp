@@ -14,12 +14,12 @@ namespace {
 
 constexpr double fine = tol::area_wall / 4;  // chord tolerance, mm, of a ramp that may follow a wall
 constexpr double coarse = 0.02;              // Chord tolerance, mm, of a ramp away from walls. The greater tolerance gives fewer blocks.
-constexpr double shortest = 2, longest = 6;  // lengths of a stroke in tool radii, where there is clearance
-constexpr double good_extent = 2;            // The extent of a ramp, in tool radii, at which the search for a wider ramp ends.
+constexpr double shortest = 2, longest = 6;  // bounds of the length of one stroke of a ramp that moves back and forth, in tool radii
+constexpr double good_extent = 2;            // extent of a ramp, in tool radii, that is enough, so that the search for a wider ramp ends
 constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // The helix radii to try, in tool radii. A radius of up to 1 leaves no core.
 constexpr double good_helix = 0.5;
-constexpr double lines[] = {6, 4, 2, 1, 0.4};  // lengths of straight ramps to try, in tool radii
-constexpr int directions = 24;                 // number of directions that are tried around the start
+constexpr double lines[] = {6, 4, 2, 1, 0.4};  // lengths of straight ramps that the search tries, in tool radii
+constexpr int directions = 24;                 // number of ramp directions that the search tries around the start of the pass
 // Greatest number of strokes or revolutions. If more are necessary, the slope is too small for a useful program.
 constexpr int max_times = 2000;
 

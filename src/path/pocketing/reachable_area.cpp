@@ -14,7 +14,8 @@ constexpr std::size_t least_across = 4, most_across = 256;
 
 /// Returns true if the distance between the lines a–b and c–d is, or might be, less than `touch`.
 bool may_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const auto apart = [](Vec2 p, Vec2 q, Vec2 u, Vec2 v) {  // returns true if u and v are clearly on the same side of the line p–q
+  // returns true if the points u and v are clearly on the same side of the line p–q
+  const auto apart = [](Vec2 p, Vec2 q, Vec2 u, Vec2 v) {
     const Vec2 delta = q - p;
     const double slack = touch * length(delta), at_u = cross(delta, u - p), at_v = cross(delta, v - p);
     return (at_u > slack && at_v > slack) || (at_u < -slack && at_v < -slack);

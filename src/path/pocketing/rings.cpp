@@ -69,7 +69,7 @@ class RingTree {
   Passes passes() {
     seen_.assign(rings_.size(), false);
     for (std::size_t root = 0; root < roots_; ++root) visit(root);
-    // The following calls start at rings that visit() has not reached yet, because no outer neighbour was found for them.
+    // Some rings have no outer neighbour, so visit() has not reached them from the outermost rings. The loop starts at these rings.
     for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);
     return std::move(passes_);
   }

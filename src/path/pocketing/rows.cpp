@@ -19,10 +19,10 @@ struct Crossing {
   double x = 0;
   std::size_t loop = 0, edge = 0;
   double part = 0;
-  std::size_t next = 0;  // index of the next crossing along the loop
+  std::size_t next = 0;  // index of the next crossing along the boundary loop
 };
 struct Span {
-  std::size_t left = 0, right = 0;  // indices of the crossings at both ends of the row
+  std::size_t left = 0, right = 0;  // indices of the crossings at the left end and the right end of the row
   std::size_t above = none, below = none;
   bool done = false;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

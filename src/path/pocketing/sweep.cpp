@@ -42,7 +42,8 @@ class Sweep {
  private:
   double radius_, chord_;
   const Watch& watch_;
-  std::size_t count_, done_ = 0;  // number of all pieces, and number of the processed pieces
+  // number of all pieces of the tool's path, and number of the pieces whose area is computed, for the progress report
+  std::size_t count_, done_ = 0;
 };
 
 }  // namespace

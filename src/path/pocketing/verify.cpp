@@ -124,9 +124,9 @@ class Check {
   Outcome outcome_;
   std::vector<std::pair<Edge, Bounds>> walls_;
   Polygons allowed_, required_;
-  Room room_;  // the area allowed_, enlarged by tol::area_wall
+  Room room_;  // the area that the tool may cut (allowed_), enlarged by the tolerance tol::area_wall
   std::vector<double> levels_;
-  std::vector<Edges> cut_;  // the cut edges of the path, one list per level
+  std::vector<Edges> cut_;  // The edges of the tool path along which the tool cuts, one list per Z level.
 };
 
 }  // namespace

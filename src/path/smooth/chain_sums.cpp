@@ -15,11 +15,12 @@ namespace {
 constexpr double block_length = 16;  // path length, mm, for which the sums are computed at once
 
 struct Pulse {
-  std::array<double, 5> node, kink;  // The nodes of a pulse: `node` has the positions r_n, and `kink` has the changes of slope κ_n.
+  // The nodes of the piecewise linear curvature k of a rounding: `node` has the positions r_n, and `kink` has the changes of slope κ_n.
+  std::array<double, 5> node, kink;
 };
 
-/// Returns the nodes of the pulse k of a gentle corner. The pulse is the acceleration of an axis that starts as SoftCorner defines it,
-/// reversed and mirrored, and scaled to the integral 1.
+/// Returns the nodes of the curvature k that the rounding of a gentle corner has. This curvature is the acceleration of an axis that starts
+/// as SoftCorner defines it, reversed and mirrored, and scaled to the integral 1.
 const Pulse& gentle_pulse_nodes() {
   constexpr double equal = SoftCorner::equal_swings;
   static const Pulse pulse = [] {

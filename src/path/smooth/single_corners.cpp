@@ -31,12 +31,12 @@ void SmoothPath::add_single_shifts(double s, std::size_t around, double* x) cons
   });
 }
 
-/// Returns the greatest displacement of the path by the roundings on one side of a vertex, mm. Up to the end of the rounding, or up to a
-/// neighbour that needs equally dense samples, the samples are as dense as the rounding of this vertex requires. Between that position and
-/// the middle of the next piece there are only a few samples.
+/// Returns the greatest displacement, mm, that the roundings cause on one side of a vertex. The displacement is sampled as densely as the
+/// rounding of this vertex requires, up to the end of this rounding or up to a neighbour that needs equally dense samples. Between that
+/// position and the middle of the next piece there are only a few samples.
 double SmoothPath::moved_near_vertex(std::size_t vertex, int side) const {
-  constexpr int places = 6;   // number of samples between the vertex and the greatest deviation to the outside
-  constexpr int farther = 4;  // number of samples farther away from the vertex
+  constexpr int places = 6;   // number of samples between the vertex and the position of the greatest deviation to the outside
+  constexpr int farther = 4;  // number of samples between this position and the middle of the next piece
   const double step = SoftCorner::of(turn_[vertex]).flank() * width_[vertex] / places, felt = (places + 1) * step;
   const std::size_t neighbour = side < 0 ? vertex - 1 : vertex;
   std::size_t next = side < 0 ? vertex - 1 : vertex + 1, piece = neighbour;
@@ -91,7 +91,9 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   // If the displacement exceeds the permitted displacement by less than this factor, the widths are reduced in small steps, so that the
   // most important roundings stay widest.
   constexpr double far_off = 1.3;
-  constexpr double between = 0.99;  // Fraction of the tolerance that is used. The rest is a reserve for the positions between the samples.
+  // Fraction of the tolerance that the roundings may use at the sampled positions. The rest is a reserve for the positions between the
+  // samples.
+  constexpr double between = 0.99;
   // The widths are reduced until the displacement is this fraction of the permitted displacement, so that the iteration ends.
   constexpr double aim = 0.999;
   bool any = false;
@@ -99,12 +101,12 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   factor_.assign(at_.size(), 1);
   for (const std::size_t i : marks_) {
     if (i < first || i >= end || is_chained_[i] != 0 || width_[i] == 0 || !overlaps(i))
-      continue;  // A rounding without overlap is already as wide as the tolerance allows.
+      continue;  // A rounding that no other rounding overlaps is already as wide as the tolerance allows, so it is not narrowed.
     const double most = std::max({moved(at_[i], i), moved_near_vertex(i, -1), moved_near_vertex(i, 1)}),
                  allowed = between * tolerance_[i] * share_alone(i);
     if (most <= allowed * (1 + rounding)) continue;
     any = true;
-    // The exponent is small because several corners contribute to the reduction.
+    // The exponent is below 1, so each step is small, because several overlapping corners are narrowed at the same time.
     const double less = std::pow(aim * allowed / most, most > far_off * allowed ? 0.5 : 0.2);
     const double far = width_[i];
     corners_near(at_[i], i, 2 * reach_, [&](std::size_t k) {

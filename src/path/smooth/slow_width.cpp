@@ -85,7 +85,7 @@ void SlowWidth::forget(double before) {
 }
 
 WidthAt SlowWidth::at(double s) const {
-  // The knots of the spline are in the middle of the intervals, hence the addition of 0.5.
+  // The knots of the spline are in the middle of the intervals, so 0.5 is added to convert a number of intervals to a number of knots.
   const double place = std::max(0.0, s / part_length) + 0.5;
   const auto knot = static_cast<std::size_t>(place);
   const double f = place - static_cast<double>(knot), g = 1 - f;

@@ -38,7 +38,8 @@ class SlowWidth {
   std::size_t part_of(double at) const;
   void level(std::vector<double>& parts, bool mean);
 
-  // Indices of intervals, counted from the path length 0: the first stored interval, and the end of the settled intervals.
+  // Numbers of intervals, counted from the path length 0: the first interval that is stored, and the first interval whose width may still
+  // change.
   std::size_t first_ = 0, settled_ = 0;
   std::vector<double> raw_, width_;  // Widths in mm, one per interval: `raw_` after the slope limit, `width_` the final width.
   std::vector<double> now_, next_;   // temporary values of the minimum and mean filters

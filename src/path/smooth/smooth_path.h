@@ -49,7 +49,7 @@ class SmoothPath {
   bool empty() const { return length_.empty(); }
   double begins() const { return at_.front(); }
   double ends() const { return at_.back(); }
-  /// The length, mm, up to which the path is final.
+  /// The path length, mm, up to which the path is final.
   double settled() const { return settled_; }
 
   double at(std::size_t vertex) const { return at_[vertex]; }
@@ -101,7 +101,8 @@ class SmoothPath {
 
  private:
   static constexpr double turning_back = 2 - 1e-9;  // the change of direction |Δu| above which the path reverses at a vertex
-  static constexpr double squeezed_to = 40;         // Length, mm, with which a longer piece counts in slow_.
+  // greatest length, mm, with which a piece counts in the path length of slow_ (the width of the roundings)
+  static constexpr double squeezed_to = 40;
   double squeezed(double s, std::size_t piece) const;
   ChainSums::Corners chained() const { return {at_, bend_, is_chained_}; }
   void find_ends(std::size_t first, bool last);
@@ -122,7 +123,8 @@ class SmoothPath {
   double widest_in_chain(std::size_t vertex, double width);
   void open_widths();
   struct Looks {  // The sampling of a piece of the path.
-    // `felt` is the sampled distance from both ends of the piece, and `step` the distance between two samples, both in mm.
+    // `felt` is the distance from both ends of the piece within which the displacement is sampled, and `step` the distance between two
+    // samples, both in mm.
     double felt, step;
   };
   Looks looks(std::size_t piece, double tolerance) const;
@@ -141,7 +143,7 @@ class SmoothPath {
   std::vector<double> bend_;      // change of direction Δu at each vertex, per axis; 0 at the ends of the path
   std::vector<double> turn_;      // |Δu| of each vertex
   std::vector<double> at_;        // path length at each vertex, mm
-  std::vector<double> squeezed_;  // path length at each vertex, mm, in which no piece counts more than squeezed_to
+  std::vector<double> squeezed_;  // path length at each vertex, mm, if a piece longer than squeezed_to counts as squeezed_to
   std::vector<double> width_;     // width of the rounding at each vertex, mm
   // Limit in mm that the vertex sets to the width of the roundings in its chain of corners; 0: the limit is not computed yet.
   std::vector<double> in_chain_;
@@ -162,10 +164,11 @@ class SmoothPath {
   std::vector<std::size_t> narrowed_;
   ChainSums sums_;
   SlowWidth slow_;
-  double last_width_ = widest;     // width of a rounding that was computed last in a chain of corners, mm
-  bool has_one_tolerance_ = true;  // true if all corners have the same tolerance
+  // width, mm, that the search for a chain of corners found at the last vertex; the search at the next vertex starts from it
+  double last_width_ = widest;
+  bool has_one_tolerance_ = true;  // true if all corners of the stored path have the same tolerance
   double reach_ = 0;               // the greatest width of a single rounding, mm
-  std::size_t done_ = 0;           // number of settled vertices at the start of the path
+  std::size_t done_ = 0;           // number of vertices at the start of the path whose roundings are final
   double settled_ = 0;
   std::size_t forgotten_ = 0;
 };

@@ -111,12 +111,13 @@ double SmoothPath::square_near_vertex(std::size_t vertex, double width, double m
 /// starts at `width`.
 double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
   constexpr double narrowest = 1e-4;  // least width of a rounding, mm
-  constexpr double enough = 0.98;     // The search ends at this fraction of the squared tolerance.
+  // The search for the width ends when the squared displacement exceeds this fraction of the squared tolerance.
+  constexpr double enough = 0.98;
   constexpr double max_growth = 1.19, least_growth = 1.002;
   const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
   const auto towards = [&](double square) {
     return 0.997 * std::sqrt(std::sqrt(most / square));
-  };  // The displacement grows with the square of the width.
+  };  // The displacement of the path grows with the square of the width of the roundings.
   double square = square_near_vertex(vertex, width, most);
   if (square > most) {
     while (square > most && width > narrowest) {
@@ -130,7 +131,7 @@ double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
     square = square_near_vertex(vertex, wider, most);
     if (square > most) break;
     width = wider;
-    // The vertices are so close that the search at the next vertex continues from this width.
+    // The vertices are so close that the search at the next vertex continues from this width. The search at this vertex therefore ends.
     if (length_[vertex - 1] < 0.25 * width) break;
   }
   return width;
@@ -165,8 +166,9 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
 /// Returns the distance between the samples of a piece, mm. The samples are as dense as the narrowest rounding on the piece requires. They
 /// are also so dense that the sharpest corner changes the displacement between two samples by only a small fraction of the tolerance.
 SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
-  constexpr double in_chain = 4, alone = 24;  // number of samples per width of a rounding
-  constexpr double unseen = 0.02;             // greatest change of displacement between two samples, as a fraction of the tolerance
+  // numbers of samples per width of a rounding: of a rounding in a chain of corners, and of a single rounding
+  constexpr double in_chain = 4, alone = 24;
+  constexpr double unseen = 0.02;  // greatest change of displacement between two samples, as a fraction of the tolerance
   constexpr double max_places = 96, beyond_it = 1.25;
   const double from = at_[piece], to = at_[piece + 1];
   const double width_before = width_at(from, piece).w, width_after = width_at(to, piece).w, narrower = std::min(width_before, width_after);

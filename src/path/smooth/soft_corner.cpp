@@ -13,19 +13,19 @@ namespace {
 // 1 differ by 1 %.
 constexpr double sharp_from = 0.5;
 
-/// Returns the position of an axis that starts from rest and moves backwards at first. The third derivative is −1 until t = 1, and +1 after
-/// this time.
+/// Returns the position of an axis that starts from rest at the time 0 and moves backwards at first. The third derivative of the position
+/// is −1 until t = 1, and +1 after this time.
 double start(double t) { return t <= 1 ? -t * t * t / 6 : -t * t * t / 6 + (t - 1) * (t - 1) * (t - 1) / 3; }
 double start_speed(double t) { return t <= 1 ? -t * t / 2 : -t * t / 2 + (t - 1) * (t - 1); }
 double start_acceleration(double t) { return t <= 1 ? -t : t - 2; }
 
 constexpr double equal = SoftCorner::equal_swings;
 
-/// Returns the pulse of a gentle corner at the distance r, without its constant factor.
+/// Returns the curvature k of a gentle corner at the distance r from the corner (width 1), without its constant factor.
 double gentle_pulse(double r) { return start_acceleration((1 - r) * equal); }
 
-/// Returns the pulse of a sharp corner at the distance r. One axis stops, as in start() reversed, while the other axis starts. The distance
-/// is the path length that both axes together have moved.
+/// Returns the curvature k of a sharp corner at the distance r from the corner (width 1), without its constant factor. One axis stops, as
+/// in start() reversed, while the other axis starts. The distance is the path length that both axes together have moved.
 double sharp_pulse(double r) {
   const auto gone = [](double t) { return start(equal + t) - start(equal - t); };
   double before = 0, after = equal;
@@ -43,7 +43,7 @@ double sharp_pulse(double r) {
 SoftCorner::SoftCorner(bool sharp) {
   constexpr double h = 1.0 / pieces;
   for (int i = 0; i < pieces; ++i) k_[static_cast<std::size_t>(i)] = sharp ? sharp_pulse(i * h) : gentle_pulse(i * h);
-  double half = 0;  // Half of the integral of the pulse. The pulse is then scaled to the integral 1.
+  double half = 0;  // Half of the integral of the curvature k over the rounding. The loop below scales k to the integral 1.
   for (std::size_t i = 0; i < pieces; ++i) half += h * (k_[i] + k_[i + 1]) / 2;
   for (double& k : k_) k *= 0.5 / half;
   for (std::size_t i = pieces; i-- > 0;) {

@@ -22,20 +22,20 @@ class SoftCorner {
  public:
   // The greatest width of a rounding to either side, mm. Wider roundings take computing time and gain little at feeds below 12 m/min.
   static constexpr double widest = 2;
-  /// A time in the shape of the sharp corner. The starting axis moves backwards at first. At this time its distance in front of its start
-  /// position equals its greatest distance behind that position: start(equal_swings) = −start(2 + √2), with start() of soft_corner.cpp.
+  /// A time in the shape of the sharp corner, in which the starting axis moves backwards at first. At this time the axis is as far in front
+  /// of its start position as it was behind it at most: start(equal_swings) = −start(2 + √2), with start() of soft_corner.cpp.
   static constexpr double equal_swings = 5.3558125;
 
   /// Returns the shape for a corner whose change of direction has the magnitude |Δu| = `bend`, 0 to 2.
   static const SoftCorner& of(double bend);
 
-  /// The values g, g′ and g″ at the distance r ≥ 0 from the corner, for w = 1. The function g is even. `slope` is g′(−r); g′(r) has the
-  /// opposite sign.
+  /// The displacement g of the path and its derivatives g′ and g″ at the distance r ≥ 0 from the corner, for a rounding of the width 1. The
+  /// function g is even. `slope` is g′(−r); g′(r) has the opposite sign.
   struct Shape {
     double g, slope, pulse;
   };
   Shape at(double r) const;
-  /// Returns the displacement g at the distance r from the corner, for the width w = 1.
+  /// Returns the displacement g of the path at the distance r from the corner, for a rounding of the width 1.
   ///   pre  r < 1
   double height(double r) const {
     const double place = r * pieces;
@@ -45,17 +45,22 @@ class SoftCorner {
     return c[0] + h * (c[1] + h * (c[2] + h * c[3]));
   }
 
-  double highest() const { return highest_; }              // the greatest |g| for w = 1
-  double second_moment() const { return second_moment_; }  // |∫ g| for w = 1: the displacement of a curve whose curvature is 1
-  double flank() const { return flank_; }                  // the distance r at which the deviation to the outside is greatest
-  static constexpr int cells = 16;  // The number of equal cells on each side of the corner that reproduce the shape exactly.
+  double highest() const { return highest_; }  // the greatest displacement |g| of the path, for a rounding of the width 1
+  // the displacement |∫ g| of a curve whose curvature is 1, for roundings of the width 1
+  double second_moment() const { return second_moment_; }
+  // distance r from the corner at which the deviation to the outside is greatest, for a rounding of the width 1
+  double flank() const { return flank_; }
+  // number of equal cells on each side of the corner with which the planner reproduces the shape of the rounding exactly
+  static constexpr int cells = 16;
 
  private:
   explicit SoftCorner(bool sharp);
 
-  static constexpr int pieces = 32;  // In each piece k is linear, so g‴ is constant.
+  // number of pieces of the shape on each side of the corner; in each piece k is linear, so g‴ is constant
+  static constexpr int pieces = 32;
   std::array<double, pieces + 2> k_{}, slope_{}, g_{};
-  std::array<std::array<double, 4>, pieces + 1> cubic_{};  // coefficients of g in each piece, as a polynomial in the fraction of the piece
+  // coefficients of the displacement g in each piece, as a polynomial in the fraction of the piece
+  std::array<std::array<double, 4>, pieces + 1> cubic_{};
   double highest_ = 0, flank_ = 0, second_moment_ = 0;
 };
 
