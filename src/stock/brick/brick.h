@@ -38,7 +38,7 @@ struct Brick {
   // stays above a bound removes nothing there and is skipped.
   alignas(32) std::array<float, 16> top_of_square;
   float top = 0;
-  int cuts_since = 0;  // number of cuts after which the bounds have not been computed again
+  int cuts_since = 0;  // number of cuts since the height bounds were last computed
 };
 
 /// Recomputes the height bounds `top_of_square` and `top`.
