@@ -23,7 +23,7 @@ struct KeptSweep {
 class KeptSweeps {
  public:
   std::size_t size() const { return size_; }
-  /// May be called by several threads at once as long as no thread adds a sweep.
+  /// Returns the sweep with the number `i`. Several threads may call this function at once, as long as no thread adds a sweep.
   KeptSweep operator[](std::size_t i) const;
   /// Calls visit(number, sweep) for the sweeps `first` to `last` - 1.
   template <class Visit>

@@ -90,7 +90,7 @@ std::string of_errno(const std::string& file, int error) {
   return fmt::format("{}: {}", file, errno_message(error));
 }
 
-std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a with 64 bits, which detects changes but not forgery
+std::uint64_t hash_of(std::string_view bytes) {  // the hash FNV-1a with 64 bits, which detects changes of a file but not forgery
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;

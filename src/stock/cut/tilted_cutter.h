@@ -94,7 +94,7 @@ class TiltedCutter : public Cutter {
   LineSet& later_;
 };
 
-/// Cut eight lines at a time, with two vectors of 16 bytes (pair) or one of 32 bytes (wide), which needs a processor with AVX2.
+/// These functions cut a brick, eight lines at a time, with two vectors of 16 bytes (pair) or one vector of 32 bytes (wide, needs AVX2).
 void cut_tilted_pair(TiltedCutter& cutter);
 void cut_tilted_wide(TiltedCutter& cutter);
 

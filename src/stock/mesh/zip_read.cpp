@@ -40,7 +40,7 @@ std::size_t end_of_directory(std::string_view archive) {
 }
 
 struct Directory {
-  std::uint64_t count, first;  // number of files in the archive; position of the first entry of the directory
+  std::uint64_t count, first;  // count: number of files in the archive; first: position of the first entry of the directory, in bytes
 };
 
 /// Finds the directory of the archive. The position of the directory is read from the ZIP64 record too, because some programs write
@@ -53,8 +53,8 @@ Directory directory_at(std::string_view archive, std::size_t end) {
   return {le_number(archive, std::size_t(at) + 32, 8), le_number(archive, std::size_t(at) + 48, 8)};
 }
 
-/// Reads the sizes and the position of an entry that do not fit into four bytes. The extra fields of the entry contain these numbers in the
-/// order of the loop below.
+/// Reads the numbers of an entry that do not fit into four bytes. The ZIP64 record in the extra fields contains only these numbers, in the
+/// order: unpacked size, packed size, position of the local header.
 void take_zip64(std::string_view extra, ZipEntry& entry) {
   for (std::size_t at = 0; at + 4 <= extra.size();) {
     const std::size_t size = std::size_t(le_number(extra, at + 2, 2));

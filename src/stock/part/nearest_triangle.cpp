@@ -127,7 +127,9 @@ class NearestTriangle::Search {
   std::uint32_t asked_for_[3 + in_block];
   int count_ = 0;  // number of triangles that wait in asked_for_
   int waiting_ = 0;
-  Waiting stack_[128];  // the depth is at most 11, because 2³¹ triangles are divided by eight; at most seven nodes wait at each level
+  // Nodes that wait for the search. The tree has at most 11 levels, because 2³¹ triangles are divided by eight at each level, and at most
+  // seven nodes wait at each level.
+  Waiting stack_[128];
 };
 
 /// Returns the squared distances in mm² of the point from four boxes.

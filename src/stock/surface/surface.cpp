@@ -42,7 +42,7 @@ std::uint32_t Joiner::point_of(BrickPlace brick, std::array<int, 3> cell, int ed
   std::array<int*, 3> place{&brick.x, &brick.y, &brick.z};
   for (std::size_t d = 0; d < 3; ++d)
     if (cell[d] < 0) cell[d] += brick_edge, --*place[d];
-  // The brick has a part and is in the lattice, because the corners of this cell differ.
+  // The corners of this cell differ, so the surface crosses the cell: its brick is in the lattice and has a SurfacePart.
   return parts[lattice.at(brick)]->point_of(cell, edge);
 }
 
@@ -69,7 +69,7 @@ void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to
   std::copy(corners.begin(), corners.end(), to);
 }
 
-/// Appends the points of a brick's part to the surface, and deletes them from the part.
+/// Appends the points of a SurfacePart (the surface in one brick) to the whole surface, and deletes them from the SurfacePart.
 void take_points(SurfacePart& part, Surface& surface) {
   part.base = std::uint32_t(surface.made_by.size());
   surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
@@ -77,7 +77,7 @@ void take_points(SurfacePart& part, Surface& surface) {
   part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // a new vector also frees the memory
 }
 
-/// Computes the parts of all bricks, and moves their points to the surface in batches, so that the points are not stored twice.
+/// Computes the SurfacePart of each brick, and moves the points to the whole surface in batches, so that the points are not stored twice.
 Parts parts_of(const Stock& stock, Surface& surface) {
   std::vector<ToolFaces> tools;
   for (std::size_t i = 0; i < stock.tools(); ++i) tools.push_back(faces_of(stock.tool(i)));

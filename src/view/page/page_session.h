@@ -17,11 +17,13 @@ class MemoryBound;
 class PanelJournal;
 class ServedFolder;
 
-/// Receives the output of a session. The thread that answers requests calls these functions.
+/// Connection of a session to its page. The client (server/connection) implements these functions; the session calls them in the thread
+/// that answers requests.
 class PageLine {
  public:
   virtual ~PageLine() = default;
-  /// Sends a message to the page. Waits while too much output is unsent. Returns false if the page is closed.
+  /// A function of the client that sends a message to the page. It waits while too much output is unsent, and returns false if the page is
+  /// closed.
   virtual bool text(std::string message) = 0;
   virtual bool frame(std::string bytes) = 0;
 };
@@ -66,8 +68,8 @@ class PageSession {
   PageSession(const PageSession&) = delete;
   PageSession& operator=(const PageSession&) = delete;
 
-  /// Starts the work for a message. Must be called before take(), in the same order as stop() is called for the messages. The work
-  /// continues until stop(). `stopped` is true if a stop was already requested for this message; the work then ends at once.
+  /// Prepares the session for the next message; must be called before take(), in the same order as stop() is called for the messages. If
+  /// `stopped` is true, a stop was already requested for this message, and the work for the message ends at once.
   void begin(bool stopped);
   /// Answers a message, and executes what the message requests.
   ///   returns  false if too many messages were invalid, or the page is closed
