@@ -46,7 +46,7 @@ class KeptSweeps {
   };
   struct Page {
     static constexpr std::size_t places = 1024;
-    std::uint32_t run;  // number of the Run that contains the first sweep of this page
+    std::uint32_t run;  // number of the Run (consecutive sweeps with one tool) that contains the first sweep of this page
     std::array<Place, places> to;
   };
   const Place& to(std::size_t i) const { return pages_[i / Page::places]->to[i % Page::places]; }

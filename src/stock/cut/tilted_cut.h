@@ -25,7 +25,7 @@ struct TiltedSweep {
   // The middle of the brick moves past the tool on a curve. `aside` is the vector in mm from the chord of this curve to the curve, half way
   // along the path.
   float aside[3];
-  float bend;   // greatest distance in mm of such a curve from its chord, for all points of the brick (upper bound)
+  float bend;   // greatest distance in mm between the path of a point of the brick past the tool and the chord of this path (upper bound)
   float reach;  // distance from the brick's middle to the brick's corners, mm
   /// Returns an upper bound, in mm, of the error of an intersection with a lattice line that is computed with an estimated shift. The shift
   /// of a point past the tool depends on the point, so the shift at an estimated position differs a little from the shift at the true

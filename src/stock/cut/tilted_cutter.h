@@ -257,7 +257,7 @@ KADR_OWN_FUNCTION Swept<V> TiltedCutter::by_end(const TiltedFamily<V>& all, int 
     if (i + 1 == max_refined || !any(open)) break;
     place = next;
   }
-  // Only ends inside the brick are corrected. Ends outside the brick need not be exact, because nothing is removed there.
+  // Only ends inside the brick are corrected. Ends outside the brick need not be exact, because no material is removed outside the brick.
   const MarksOf<V> misses = end_of.from > end_of.to, inside = (low > -half) & (high < half);
   const V from = choose(inside, within(end_of.from, low, high), end_of.from), to = choose(inside, within(end_of.to, low, high), end_of.to);
   const Swept<V> end{choose(by_from, from, end_of.from) + half_, choose(by_from, end_of.to, to) + half_};

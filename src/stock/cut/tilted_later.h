@@ -81,7 +81,8 @@ KADR_IN_LANES MarksOf<V> TiltedCutter::may_reach_farther(const TiltedFamily<V>& 
     farther = misses & meet(Swept<V>{even.from + half_, even.to + half_}, material) &
               (least(even.to, spread<V>(half_)) - most(even.from, spread<V>(-half_)) > most_off);
   }
-  // If even the larger body does not contain the end, the search for this end has failed, and the line is marked.
+  // If even the slightly larger body does not contain an end of the computed interval, the search for this end has failed, and the line is
+  // marked.
   const auto look_at = [&](const MarksOf<V>& open, const V& end, bool is_from) {
     if (!any(open)) return;
     const Swept<V> larger = with_shift_at(end);

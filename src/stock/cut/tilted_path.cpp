@@ -14,8 +14,7 @@ constexpr double opposite = 1e-9;         // two unit vectors count as opposite 
 // On a chord this short, an even motion along the chord replaces the even turn, with an error of at most 1e-6 of the chord.
 constexpr double small_chord = 0.02;
 
-/// Returns the length of a vector. The only function of the mathematical library used is the square root, which gives the same bits with
-/// every library.
+/// Returns the length of a vector with the square root as the only library function, because every library rounds the square root alike.
 double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
 Vec3 unit_by_root(Vec3 v) { return (1 / size_of(v)) * v; }
 

@@ -52,8 +52,8 @@ template <class V>
 struct PastTool {
   Vec3Of<V> shift, grows;  // shift of the line's middle point, and the change of this shift per mm along the line
   float radius;            // radius of the cylinder, mm
-  float steep;             // sine of the angle between line and face (or side) above which the tool's turn has no influence
-  float bend;              // distance in mm by which the paths of the points may deviate from straight lines
+  float steep;  // Sine of an angle: if a line meets a face or the side at a greater angle, the turn of the tool has no influence.
+  float bend;   // distance in mm by which the paths of the points may deviate from straight lines
 };
 
 /// Marks lines whose entry or exit point at `place` is moving out of the cylinder, as the tool moves along its path (`forth` 1) or back

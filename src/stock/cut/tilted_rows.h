@@ -93,8 +93,8 @@ KADR_OWN_FUNCTION V end_of_rounded(const TiltedLines<V>& l, const TiltedBody& b,
     const FromShaft<V> from = from_shaft(l, b, here, t);
     const V far = square_root(from.sideways * from.sideways + from.below * from.below), distance = far - b.corner;
     V grows = from.sideways * (from.out_x * e.x + from.out_y * e.y) + from.below * e.z;
-    // The nearest position on the path may be where the top of the body limits the section. This position changes with the position on the
-    // line, so its change adds to the slope of the distance.
+    // Where the top of the body limits the section of the path, the nearest position on the path changes with the position on the line.
+    // This change adds to the slope of the distance.
     const V towards = from.sideways * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up;
     const MarksOf<V> held = ~level & choose(rises, begins & (bound > 0.f), ends & (bound < length));
     grows = grows - choose(held, towards * e.z * per_up, none);

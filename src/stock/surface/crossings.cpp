@@ -14,7 +14,8 @@ struct LineEnd {
   float at;
   std::int32_t by;
   bool found = false;
-  // True if the end is between a full and an empty brick, inside the blank: neither brick stores the sweep that cut there.
+  // True if the end of a material interval is between a full and an empty brick, inside the blank: neither of these bricks stores the
+  // number of the sweep that cut there.
   bool seam = false;
 };
 

@@ -76,7 +76,8 @@ class PageSession {
   bool take(std::string_view message);
   /// Ends the current work at once. May be called from any thread.
   void stop();
-  /// Returns true if the message requests stop() and nothing else. Such a message must be passed to take() too.
+  /// Returns true if the message only requests that the current work stops. The caller must then call stop() at once, and later pass the
+  /// message to take().
   static bool asks_to_stop(std::string_view message);
   /// Returns true if the message requests an emergency stop. The caller must then call emergency() at once, from any thread.
   static bool asks_for_emergency(std::string_view message);

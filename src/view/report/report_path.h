@@ -18,10 +18,11 @@ struct ReportQuanta {
   double position = 1e-4;  // unit of joint positions, degrees or mm
 };
 
-/// Defines which vertices are omitted: the vertices whose PathVertex::level, set by set_levels(), is less than the following levels.
+/// A rule that omits vertices of a path: a vertex is omitted if its level of detail (PathVertex::level, set by set_levels()) is less than
+/// the least level that this rule permits.
 struct Thinning {
-  int inner = 0;  // least level of a vertex that is not omitted, if the next vertex belongs to the same block
-  int any = 0;    // least level of any vertex that is not omitted
+  int inner = 0;  // least level of a vertex that is kept inside a block, that is, if the next vertex belongs to the same block
+  int any = 0;    // least level of any vertex that is kept, also of the last vertex of a block
   /// Returns the greatest distance in mm by which the path may deviate because of the omitted vertices.
   double off() const;
 };
