@@ -24,8 +24,8 @@ class PanelProgram {
 
   /// Sets the text of the program for all later runs and searches: the contents that the program file had when the program started. All
   /// functions below may be called from any thread.
-  ///     bytes   contents of the file; nullptr: the file is too long or unreadable, and is read again each time
-  ///     digest  identifies the contents of the file at that time; empty if the file is unreadable
+  ///   bytes   contents of the file; nullptr: the file is too long or unreadable, and is read again each time
+  ///   digest  identifies the contents of the file at that time; empty if the file is unreadable
   void take_text(std::shared_ptr<const std::string> bytes, std::string digest);
   std::string digest() const;
   /// Returns the text of the program as UTF-8, with line feeds between lines.

@@ -30,7 +30,7 @@ struct BodyGap {
 class BodyWorld {
  public:
   /// Creates an empty set of bodies, whose distances are computed by the given module kadr-bodies.so.
-  ///     pre  the module is loaded
+  ///   pre  the module is loaded
   explicit BodyWorld(const KadrBodiesInterface& door);
 
   /// Adds a body to the set. Returns nullopt if memory runs out, or if the shape is given by a mesh file; for a mesh, call add(const
@@ -41,7 +41,7 @@ class BodyWorld {
   std::optional<SolidBody> add(const ConvexBody& body);
 
   /// Computes the distance between two bodies. `pose_a` and `pose_b` are the poses of the coordinates in which each body was described.
-  ///     returns  the distance and the closest points; the distance is 0 if FCL finds no result
+  ///   returns  the distance and the closest points; the distance is 0 if FCL finds no result
   BodyGap gap(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;
   /// Returns the depth in mm by which the two bodies overlap; 0 if the depth is unknown.
   double depth(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;

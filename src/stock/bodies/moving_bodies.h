@@ -51,7 +51,7 @@ class MovingBodies {
 
   /// Excludes from the checks the pairs of bodies that are in contact when all axes are at 0, because the machine is built with this
   /// contact. Only pairs of two bodies of the machine, and pairs of the tool and a body of the machine, are excluded.
-  ///     returns  the pairs of two bodies of the machine that this call has excluded
+  ///   returns  the pairs of two bodies of the machine that this call has excluded
   std::vector<std::pair<std::size_t, std::size_t>> accept_initial_contacts();
 
   /// Moves each axis evenly from the position `from` to the position `to`, and appends the collisions on this motion to `found`.

@@ -55,7 +55,7 @@ bool may_reach(const TiltedSweep& sweep, const TiltedBody& body, const BrickScal
 
 /// Removes the material that the body sweeps. Leaves out lattice lines for which a tool that turns may sweep two separate intervals
 /// (tilted_over.h).
-///     returns  the lines that were left out; the caller must cut them with the two halves of the path instead
+///   returns  the lines that were left out; the caller must cut them with the two halves of the path instead
 LineSet cut_brick_tilted(Brick& brick, const BrickScale& scale, const TiltedCut& cut, std::int32_t by, CutOutcome& outcome,
                          LaneWidth width = widest_lanes());
 

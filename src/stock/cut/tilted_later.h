@@ -9,8 +9,8 @@ namespace kadr {
 /// Marks the lines for which an end of the swept interval is certain. Two conditions must be met: `end` is also an end of the interval
 /// inside the cylinder in the given pose (at the start or the end of the path), and the line crosses the cylinder's surface at this point
 /// at an angle much greater than the tool's turn.
-///     half   half the edge length of the brick in mm, because the positions in poses are relative to the brick's middle
-///     steep  sine of the least angle that is steep enough
+///   half   half the edge length of the brick in mm, because the positions in poses are relative to the brick's middle
+///   steep  sine of the least angle that is steep enough
 template <class V>
 KADR_IN_LANES MarksOf<V> meets_steeply(const Pose<V>& pose, const V& end, bool is_from, float half, float radius, float steep) {
   const Heading& e = pose.heading;

@@ -205,8 +205,8 @@ void Crossings::take(const Stock& stock, const std::vector<ToolFaces>& tools, st
   for (const LatticeEdge& e : lost_) mend(e, signs);
 }
 
-/// Completes a crossing for which no interval ends on the lattice line. A line that lies in a surface may be cut away although the lines
-/// along Z close to it are not. In this case the crossing of an adjacent cell edge, with material on the same side, is used.
+/// Completes a crossing on whose lattice line no interval of material ends. A line that lies in a surface may be cut away although the
+/// lines along Z close to it are not cut away. In this case the crossing of an adjacent cell edge, with material on the same side, is used.
 void Crossings::mend(const LatticeEdge& e, const BrickSigns& signs) {
   const std::size_t f = std::size_t(e.family);
   const auto sign = [&](const std::array<int, 3>& p) { return signs.at(p[0], p[1], p[2]); };

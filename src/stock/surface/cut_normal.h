@@ -44,7 +44,7 @@ struct CutPlace {
 };
 
 /// Returns true if the sweep has cut a surface at the crossing `place`, and the lattice line crosses this surface.
-///     ends  directions of the tool; nullptr if the tool is not tilted
+///   ends  directions of the tool; nullptr if the tool is not tilted
 bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends = nullptr);
 
 /// Returns the outward normal of the remaining material at the crossing `place`.

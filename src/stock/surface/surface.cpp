@@ -56,7 +56,7 @@ void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to
   const int f = e.family;
   const std::size_t u = std::size_t(f + 1) % 3, v = std::size_t(f + 2) % 3;
   std::array<std::uint32_t, 4> round;
-  for (int i = 0; i < 4; ++i) {  // the cells are visited counter-clockwise about the axis of the edge
+  for (int i = 0; i < 4; ++i) {  // The four cells around a cell edge are visited counter-clockwise about the axis of the edge.
     const int before_u = i == 1 || i == 2, before_v = i >= 2;
     std::array<int, 3> cell{e.x, e.y, e.z};
     cell[u] -= before_u, cell[v] -= before_v;
@@ -84,7 +84,8 @@ Parts parts_of(const Stock& stock, Surface& surface) {
   Parts parts(stock.lattice().size());
   std::size_t cut = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) cut += stock.state(i) == Stock::State::mixed;
-  // Reserved memory costs nothing until it is used, but a vector that grows leaves freed blocks in the heap.
+  // The memory of all points is reserved in advance. Reserved memory costs nothing until it is used, but a vector that grows leaves freed
+  // blocks in the heap.
   surface.points.reserve(3 * cut * points_expected), surface.made_by.reserve(cut * points_expected);
   std::vector<PartWork> works(std::size_t(stock.threads()));
   for (std::size_t first = 0; first < parts.size(); first += bricks_at_once) {
