@@ -85,7 +85,7 @@ struct ThreadCut {
 struct CutResult {
   double stock = 0;        // volume of the blank, mm³
   double left = 0;         // volume of the remaining material, mm³
-  double error_bound = 0;  // upper bound of the error of `stock` and `left`, mm³
+  double error_bound = 0;  // upper bound of the error of the volumes `stock` and `left`, mm³
   double cell = 0;         // edge length of a lattice cell, mm
   double seconds = 0;      // duration of the program, s
   std::uint64_t sweeps = 0;

@@ -15,7 +15,7 @@ namespace kadr::lanes {
 /// The slope of the distance that the body reaches along a lattice line, at one position on the path.
 template <class V>
 struct Slope {
-  V value;            // positive if the body reaches farther at later positions on the path
+  V value;            // the slope: positive if the body reaches farther along the lattice line at later positions on the path
   MarksOf<V> smooth;  // true if the line meets the body at this position, so that the slope is continuous there
 };
 

@@ -20,7 +20,8 @@ struct TiltedBody {
     // A whole ball of radius `corner`, whose centre is on the tool's axis at the height `middle`; and the cylinder `shaft` above the
     // centre.
     ball,
-    rounded,  // bull nose: all points within `corner` of a cylinder of radius `flat` that begins at the height `middle`, below shaft.high
+    // Bull nose: all points at most `corner` mm away from a cylinder of radius `flat` that begins at the height `middle`, below shaft.high.
+    rounded,
   };
   Kind kind = Kind::cylinder;
   Frustum end, shaft;

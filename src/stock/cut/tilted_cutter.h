@@ -366,7 +366,7 @@ KADR_OWN_FUNCTION void TiltedCutter::cut_family(const Reached& reached, const Pa
     material_of_all(lines, first, last);
   }
   const V none = spread<V>(0.f);
-  Taken<V> taken{none, none, none, spread<V>(missed)};  // for a tilted tool, the tip at the height `missed` gives the depth 0
+  Taken<V> taken{none, none, none, spread<V>(missed)};  // a tilted tool reports no depth: a tip at the height `missed` gives the depth 0
   const TiltedFamily<V> all = lines_of<V>(family, past);
   [[maybe_unused]] const auto tube = [&] {
     if constexpr (kind == TiltedBody::Kind::ball) return BallTube(ball_, family);

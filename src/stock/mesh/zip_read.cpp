@@ -16,7 +16,8 @@ constexpr std::size_t end_bytes = 22, entry_bytes = 46, local_bytes = 30, longes
 constexpr std::uint32_t end_mark = 0x06054b50, entry_mark = 0x02014b50, local_mark = 0x04034b50;
 constexpr std::uint32_t end64_mark = 0x06064b50, locator64_mark = 0x07064b50;
 constexpr std::size_t end64_bytes = 56, locator64_bytes = 20;
-constexpr std::uint64_t in_zip64 = 0xffffffff;  // a number with this value is stored with eight bytes in the ZIP64 record instead
+// A four-byte number of this value means that the true number is stored with eight bytes in the ZIP64 record.
+constexpr std::uint64_t in_zip64 = 0xffffffff;
 constexpr std::size_t max_files = 10'000;
 constexpr std::uint16_t stored = 0, deflated = 8, has_password = 1;
 

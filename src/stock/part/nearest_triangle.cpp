@@ -209,7 +209,7 @@ inline void NearestTriangle::Search::open(const Node& node) {
   if (waiting < first + 2) return;
   int nearest = first;
   for (int i = first + 1; i < waiting; ++i) nearest = stack_[i].square < stack_[nearest].square ? i : nearest;
-  std::swap(stack_[nearest], stack_[waiting - 1]);  // this puts the nearest child on top of the stack, so the search visits it first
+  std::swap(stack_[nearest], stack_[waiting - 1]);  // the swap puts the nearest child on top of the stack, so the search visits it first
 }
 
 void NearestTriangle::Search::all() {

@@ -57,7 +57,7 @@ struct BrickFound {
 /// The lattice of the stock, extended by the bricks that the wanted part needs.
 struct WiderLattice {
   Lattice lattice;
-  BrickPlace stock_at;  // indices of the stock's first brick in this lattice
+  BrickPlace stock_at;  // indices of the stock's first brick in the extended lattice
 };
 
 WiderLattice wider_lattice(const Lattice& own, const Box3& blank, const Box3& part) {

@@ -135,7 +135,9 @@ void Crossings::Finder::find_sweeps_near() {
   const double room = double(cell), reach = double(edge) + room;
   stock.each_sweep([&](std::size_t i, const KeptSweep& s) {
     const ToolExtent& tool = extents[s.tool];
-    bool near = !stock.tool(s.tool).turns();  // sweeps of turning tools are not searched, so ends between bricks keep of_blank
+    // Sweeps of turning tools are not searched, so an end of an interval between two bricks keeps the number of_blank, as if no sweep had
+    // cut there.
+    bool near = !stock.tool(s.tool).turns();
     // Extent of the tool for any direction of its axis.
     const double anywhere = std::max({tool.widest, std::fabs(tool.bottom), std::fabs(tool.top)}) + tool.widest;
     for (int d = 0; d < 3 && near; ++d) {

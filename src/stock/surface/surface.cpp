@@ -74,7 +74,8 @@ void take_points(SurfacePart& part, Surface& surface) {
   part.base = std::uint32_t(surface.made_by.size());
   surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
   surface.made_by.insert(surface.made_by.end(), part.made_by.begin(), part.made_by.end());
-  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // a new vector also frees the memory
+  // Assigning a new vector also frees the memory of the points.
+  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();
 }
 
 /// Computes the SurfacePart of each brick, and moves the points to the whole surface in batches, so that the points are not stored twice.

@@ -52,8 +52,8 @@ struct PageServer {
   bool all_need_token;  // true if a page without the token may not view anything either
   Lang lang = Lang::en;
   std::string version;                  // version of Kadr
-  LastOpened* last = nullptr;           // nullptr if the last opened file is not recorded
-  PanelHub* hub = nullptr;              // nullptr if the server has no operator panels
+  LastOpened* last = nullptr;           // where the last opened file is recorded; nullptr if it is not recorded
+  PanelHub* hub = nullptr;              // the operator panels of the server; nullptr if the server has no operator panels
   PanelJournal* journal = nullptr;      // saved data of the panel machines; must be set if `hub` is set
   const MemoryBound* memory = nullptr;  // memory limit for all sessions together; nullptr: no limit
 };

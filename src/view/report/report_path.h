@@ -30,7 +30,7 @@ struct Thinning {
 /// A segment of a path, and the number of this path (docs/panel-protocol.md).
 struct DrawnPiece {
   const ViewPiece* piece;
-  std::uint32_t which;  // 0: the path of the tool; 2: the contour as programmed
+  std::uint32_t which;  // number of the path in the protocol; 0: the path of the tool; 2: the contour as programmed
 };
 std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<ViewPiece>& contour);
 
