@@ -19,7 +19,8 @@ struct BlockLoad {
   double seconds = 0;  // time at feed, s
   double length = 0;   // length of the path at feed, mm
   double volume = 0;
-  // Mean values over at least two lattice cells of path; nullopt if the value is not reported.
+  // Mean values of the cut, each over a section of the path at least two lattice cells long; nullopt if the value is not reported
+  // (docs/stock.md).
   std::optional<double> rate;            // removal rate, mm³/s
   std::optional<double> feed_per_tooth;  // feed per tooth, mm
   std::optional<double> depth, width;    // depth and width of cut, mm

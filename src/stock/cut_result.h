@@ -17,14 +17,14 @@ namespace kadr {
 struct CutFinding {
   AlarmId id = AlarmId::rapid_in_stock;
   Origin origin;
-  std::string program{};                   // the program file that contains the block, as in BlockLoad
+  std::string program{};                   // the program file that contains the block; empty if the block is in the main program
   std::vector<AlarmReport::Call> calls{};  // the subprogram calls that led to the block, the outermost call first
   std::uint32_t tool = 0;
   Vec3 at;             // the middle of the removed material, in the work coordinates of the blank
   double depth = 0;    // the shortest edge of the box around the removed material, mm
   double volume = 0;   // removed volume, mm³
   double at_time = 0;  // time in s since the start of the program
-  /// Names of the two bodies that met; set only for AlarmId::machine.
+  /// Names of the two bodies that collided; set only for a collision between bodies (AlarmId::machine).
   std::array<std::string, 2> bodies{};
 };
 
@@ -41,7 +41,7 @@ struct PartDifference {
   double deepest = 0;      // greatest distance of the difference from the surface of the wanted part, mm
   Vec3 at;                 // position of the greatest distance, in the work coordinates of the blank
   std::uint32_t line = 0;  // line of the block that last cut next to `at`; 0 where the blank's own surface remains
-  std::string program{};   // the program file that contains the block, as in BlockLoad
+  std::string program{};   // the program file that contains the block; empty if the block is in the main program
 };
 
 struct PartResult {
@@ -55,8 +55,9 @@ struct PartResult {
 
 /// The result of the second, finer cut inside a window.
 struct WindowResult {
-  double stock = 0, left = 0, error_bound = 0;  // volumes inside the window, mm³, with the same meanings as in CutResult
-  double cell = 0;                              // edge length of a lattice cell in the window, mm
+  // Volumes inside the window in mm³: of the blank, of the remaining material, and the upper bound of their error.
+  double stock = 0, left = 0, error_bound = 0;
+  double cell = 0;  // edge length of a lattice cell in the window, mm
 };
 
 /// The numbers of triangles of a surface that was simplified before it was written to a file.
@@ -68,7 +69,7 @@ struct SimplifiedResult {
 /// A thread that a turning tool has cut, described by the deepest pass of the tool. Radii are measured from the axis of the part.
 struct ThreadCut {
   Origin origin;
-  std::string program{};  // the program file that contains the block, as in BlockLoad
+  std::string program{};  // the program file that contains the block; empty if the block is in the main program
   std::uint32_t tool = 0;
   double lead = 0;  // lead of the thread in mm; 0 if the program does not give the lead
   bool is_outer = true;
@@ -84,11 +85,11 @@ struct ThreadCut {
 struct CutResult {
   double stock = 0;        // volume of the blank, mm³
   double left = 0;         // volume of the remaining material, mm³
-  double error_bound = 0;  // upper bound of the error of `stock` and `left`, mm³
+  double error_bound = 0;  // upper bound of the error of the volumes `stock` and `left`, mm³
   double cell = 0;         // edge length of a lattice cell, mm
   double seconds = 0;      // duration of the program, s
   std::uint64_t sweeps = 0;
-  std::vector<ToolRemoval> tools;      // removal of each tool, in the order in which the tools are first used
+  std::vector<ToolRemoval> tools;      // what each tool has removed; the tools are in the order in which they are first used
   std::vector<CutFinding> collisions;  // collisions and forbidden cuts that count as alarms
   std::vector<CutFinding> warnings;
   std::vector<BlockLoad> heaviest;  // blocks with the greatest removal rates, in descending order
@@ -98,7 +99,8 @@ struct CutResult {
   std::optional<WindowResult> window;
   std::optional<SimplifiedResult> simplified;
   std::size_t not_listed = 0;  // number of findings that the lists omit, because each list has a limit
-  // Numbers of the tools thinner than two lattice cells; the cells of the window, if there is a window.
+  // Numbers of the tools, except turning tools, whose diameter is less than two lattice cells. If there is a window, the cells of the
+  // window count.
   std::vector<std::uint32_t> finer_than_cell;
   std::vector<ThreadCut> threads;  // threads in the order of the program
 };

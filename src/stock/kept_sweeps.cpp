@@ -32,7 +32,7 @@ void KeptSweeps::push_back(const KeptSweep& s) {
   };
   if (runs_.empty() || !goes_on()) runs_.push_back({std::uint32_t(size_), from, s.tool, s.watched, s.leans});
   if (size_ % Page::places == 0) {
-    pages_.emplace_back(new Page);  // not initialised, which saves time: each end point is written before it is read
+    pages_.emplace_back(new Page);  // The new page is not initialised, which saves time: each end point is written before it is read.
     pages_.back()->run = std::uint32_t(runs_.size() - 1);
   }
   pages_.back()->to[size_ % Page::places] = {{s.to[0], s.to[1], s.to[2]}};

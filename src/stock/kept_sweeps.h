@@ -23,7 +23,7 @@ struct KeptSweep {
 class KeptSweeps {
  public:
   std::size_t size() const { return size_; }
-  /// May be called by several threads at once as long as no thread adds a sweep.
+  /// Returns the sweep with the number `i`. Several threads may call this function at once, as long as no thread adds a sweep.
   KeptSweep operator[](std::size_t i) const;
   /// Calls visit(number, sweep) for the sweeps `first` to `last` - 1.
   template <class Visit>
@@ -46,7 +46,7 @@ class KeptSweeps {
   };
   struct Page {
     static constexpr std::size_t places = 1024;
-    std::uint32_t run;  // number of the Run that contains the first sweep of this page
+    std::uint32_t run;  // number of the Run (consecutive sweeps with one tool) that contains the first sweep of this page
     std::array<Place, places> to;
   };
   const Place& to(std::size_t i) const { return pages_[i / Page::places]->to[i % Page::places]; }

@@ -27,7 +27,7 @@ double round_up(double value) {
 double bytes_of_bricks(const Box3& box, double cell) {
   double count = 1;
   for (int d = 0; d < 3; ++d) count *= std::ceil(((along(box.most, d) - along(box.least, d)) / cell + 4) / brick_edge);
-  return count * double(sizeof(Brick) + 64);  // each brick needs 64 bytes more for its entries in the tables of the stock
+  return count * double(sizeof(Brick) + 64);  // 64 is the memory in bytes of the entries of one brick in the tables of the stock.
 }
 
 double cell_for(const Box3& box, double max_bytes, double finest) {

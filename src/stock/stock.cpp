@@ -253,7 +253,7 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
     run_parallel(threads_, [&](int thread) {
       for (std::size_t i; !stop.requested() && (i = next++) < touched_.size();) cut_in(touched_[i], workers[std::size_t(thread)]);
     });
-    for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // frees the memory of the lists at once
+    for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // frees the memory of the brick's list of sweeps at once
     touched_.clear();
     done_ = last;
     if (past_) past_->make_room();

@@ -193,9 +193,11 @@ class Stock {
   KeptSweeps sweeps_;
   // Directions of tilted tools in the order of the sweeps. A std::deque grows to a million elements without moving them.
   std::deque<TiltedEnds> tilted_ends_;
-  std::deque<Shortened> shortened_;  // shortened paths in the order of the sweeps; used only after keep_past()
-  std::size_t done_ = 0;             // number of executed sweeps
-  std::size_t first_ = 0;            // number of the first sweep of the last cut()
+  // The stored part of the path, for each sweep of which only a part is stored; in the order of the sweeps, and used only after
+  // keep_past().
+  std::deque<Shortened> shortened_;
+  std::size_t done_ = 0;   // number of executed sweeps
+  std::size_t first_ = 0;  // number of the first sweep of the last cut()
   std::vector<std::vector<std::int32_t>> bins_;
   std::vector<std::size_t> touched_;
   std::unique_ptr<Past> past_;

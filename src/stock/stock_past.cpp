@@ -71,7 +71,8 @@ PathPart Stock::stored_part(std::size_t sweep) const {
   return {double(found->first), double(found->last)};
 }
 
-/// Executes the fraction `share` of the path of the next sweep, which is stored in the later stock.
+/// Executes a part of the next sweep in this restored stock: the path up to the fraction `share`. The sweep is stored in `later`, the stock
+/// from which this stock was restored.
 void Stock::begin_sweep(const Stock& later, double share) {
   const std::size_t next = sweeps_.size();
   const PathPart stored = later.stored_part(next);

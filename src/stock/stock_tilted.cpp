@@ -89,7 +89,8 @@ void Stock::add_tilted(const Sweep& sweep) {
 }
 
 const TiltedEnds& Stock::tilted_ends(std::size_t sweep) const {
-  // A guessed index is tried first: in most programs, all sweeps after the first sweep of a tilted tool have tilted tools too.
+  // The list tilted_ends_ has one element for each sweep of a tilted tool. An estimated index is tried before the list is searched: in most
+  // programs, all sweeps after the first sweep of a tilted tool have tilted tools too.
   const std::size_t guess = sweep - tilted_ends_.front().sweep;
   if (guess < tilted_ends_.size() && tilted_ends_[guess].sweep == sweep) return tilted_ends_[guess];
   const auto found =

@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the position of the tool at an instant at which the tool is moving to vertex i.
+/// Returns the position of the tool at an instant at which the tool is moving to the vertex with the index `i` of `piece`.
 Vec3 place_at(const ViewPiece& piece, std::size_t i, double instant) {
   const auto vec = [](const PathVertex& v) { return Vec3{double(v.at[0]), double(v.at[1]), double(v.at[2])}; };
   const PathVertex& to = piece.vertices[i];

@@ -15,7 +15,7 @@ struct InstantState {
   double at = 0;
   PathVertex vertex;   // the vertex of the path to which the tool is moving
   Vec3 place;          // position of the tool tip in the coordinates of the picture
-  bool moves = false;  // false if the path has ended, or the program has no motion
+  bool moves = false;  // true if the tool is moving to `vertex`; false if the path has ended, or the program has no motion
   AlarmReport::Line line;
   Origin origin;
   std::uint32_t pass = 0;
@@ -35,8 +35,8 @@ class Instants {
   /// Returns the state at the end of the block whose Origin::number is `number`. If the run has no such block, the result is for the
   /// nearest earlier block.
   tl::expected<InstantState, std::string> after(std::uint32_t number, const StopToken& stop);
-  /// One execution of a program line with motions: the start and the end in s, and the number of the block. passes() returns at most `most`
-  /// executions; `count` receives the number of executions in the whole run.
+  /// One execution of a program line with motions: its start and end in s, and the number of its block. The function passes() returns at
+  /// most `most` executions, and stores in `count` how often the whole run executes the line.
   struct Pass {
     double from, to;
     std::uint32_t number;
@@ -52,8 +52,8 @@ class Instants {
 
   const ProgramRun& run_;
   std::unique_ptr<Session> session_;  // the session that restores snapshots; it is opened at the first question
-  std::uint32_t limit_ = 0;           // the session stops before the block with this number
-  Origin held_;                       // the block before which the session has stopped
+  std::uint32_t limit_ = 0;           // number of the block before which the session is to stop
+  Origin held_;                       // location of the block before which the session has stopped
   double compensated_by_ = 0;         // radius by which the block's motions are compensated, mm
 };
 

@@ -22,7 +22,7 @@ struct OpeningRequest {
   std::optional<std::string> text;  // text of the program in UTF-8, which is used instead of the contents of the file
   std::string tables{};             // JSON in the form of a set-up, which overrides values of the set-up file; may be empty
   Lang lang = Lang::en;
-  const FileAccess* door = nullptr;  // opens these files, and the files that these files name; must outlive the run
+  const FileAccess* door = nullptr;  // Opens the files that the page requests, and the files that these files name; must outlive the run.
 };
 
 struct OpenedProgram {
@@ -37,7 +37,7 @@ struct OpenedProgram {
   std::optional<Guess> guess;              // the guessed control; nullopt if the user or .kadr.toml has named the control
   std::optional<std::string> text;
   std::uint32_t number = 0;  // number of the program to run, on a tape with several programs; 0: the first program
-  RunLimits limits;          // limits of a run for the page, which writes no files
+  RunLimits limits;          // limits of the run; a run for the page writes no files
   const FileAccess* door = nullptr;
 
   /// Returns the text of the program; on a tape with several programs, the text of program `number`.

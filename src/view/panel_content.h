@@ -13,7 +13,8 @@ namespace kadr {
 struct PanelContent {
   explicit PanelContent(OpenedProgram opened, OpeningRequest request) : program(std::move(opened), std::move(request)) {}
   PanelProgram program;
-  std::mutex edits;  // locked from the check of an edit until the answer, so that only one edit is made at a time
+  // Mutex that is locked from the check of an edit until the answer, so that only one edit of the tables is made at a time.
+  std::mutex edits;
 };
 
 inline PanelContent& content_of(const PanelHub::HubMachine& place) { return *static_cast<PanelContent*>(place.content.get()); }

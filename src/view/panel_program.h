@@ -22,7 +22,7 @@ class PanelProgram {
   const OpenedProgram& opened() const { return opened_; }
   const std::string& setup_file() const { return request_.setup; }
 
-  /// Sets the text that is executed and searched from now on: the contents that the program file had when the program started. All
+  /// Sets the text of the program for all later runs and searches: the contents that the program file had when the program started. All
   /// functions below may be called from any thread.
   ///   bytes   contents of the file; nullptr: the file is too long or unreadable, and is read again each time
   ///   digest  identifies the contents of the file at that time; empty if the file is unreadable
@@ -31,7 +31,7 @@ class PanelProgram {
   /// Returns the text of the program as UTF-8, with line feeds between lines.
   ///   returns  nullopt if the text is not stored in memory
   std::optional<std::string> text() const;
-  /// Opens a session. PanelMachine needs this function as its SessionOpener.
+  /// Opens a session of the program. The page passes this function to PanelMachine as its SessionOpener.
   tl::expected<std::unique_ptr<Session>, std::string> open(const std::optional<Axes>& start, const StopToken& stop);
 
   struct Tables {
@@ -46,7 +46,8 @@ class PanelProgram {
   /// Checks that the program can be opened with these tables. The tables in use do not change.
   ///   returns  the reason why the control refuses the tables; empty if the control accepts them
   std::string refusal(const Tables& tables) const;
-  /// Replaces the tables. Returns false, and replaces nothing, if the tables have changed after changed() was called.
+  /// Replaces the tables in use by tables that changed() has returned. Returns false, and replaces nothing, if the tables in use have
+  /// changed in the meantime.
   bool take(Tables tables);
   /// Adds to the edits the changes that a line of the operator has made in the tables of the control.
   ///   returns  the change, or an error sentence if a set-up cannot contain this change

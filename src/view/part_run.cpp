@@ -104,7 +104,7 @@ tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedPr
 
 void PartRun::report_progress() {
   if (!progress_clock_.is_due()) return;
-  // The limit is higher than for the stocks alone, because the sweeps need memory too.
+  // The factor 1.25 allows for the memory of the stored sweeps; max_bytes is the limit for the stocks alone.
   too_much_ = double(run_->cutting().bytes()) > max_bytes * 1.25;
   if (!on_progress) return;
   const Control& control = session_->settled_control();

@@ -46,7 +46,7 @@ class PartRun {
   static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartRequest& request,
                                                                   const StopToken& stop);
 
-  /// Receives the progress of the run, from 0 to 1, several times per second.
+  /// A function of the client that receives the progress of the run, from 0 to 1. PartRun calls this function several times per second.
   std::function<void(double part)> on_progress;
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
 
@@ -54,7 +54,7 @@ class PartRun {
   ///   returns  an error sentence if the run was stopped, memory ran out, or the shape of a tool is unknown
   tl::expected<void, std::string> execute();
 
-  // ---- the results; to be called after execute()
+  // ---- functions that return the results of the run; to be called after execute()
   const CutResult& result() const { return result_; }
   /// Returns the number of alarms, and that of warnings, that the program itself has caused.
   std::size_t alarms() const { return run_->alarms(); }

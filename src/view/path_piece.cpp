@@ -14,7 +14,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t levels = 16;
-// Number of vertices whose levels are computed together. The number of computed distances is some eight times this number.
+// Levels are computed for this many vertices together. This limits the number of distances to some eight per vertex.
 constexpr std::size_t run_length = 256;
 
 double distance_to_chord(Vec3 p, Vec3 from, Vec3 to) {

@@ -11,7 +11,8 @@
 
 namespace kadr {
 
-// Unit of the levels of detail in mm. Level 0 omits no vertex; at level 1 the path may deviate by twice this unit (docs/panel-protocol.md).
+// Unit of the levels of detail in mm. Level 0 contains all vertices; at level 1 the path may deviate by twice this unit, and the permitted
+// deviation doubles from level to level (docs/panel-protocol.md).
 inline constexpr double finest_level = 0.001;
 
 enum class PathKind : std::uint8_t { jump, rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };

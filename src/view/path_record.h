@@ -15,10 +15,11 @@ namespace kadr {
 
 class PathRecord {
  public:
-  /// `tool` is the number of the tool in the spindle at the start. The other parameters are those of ToolPath.
+  /// Starts a path. `tool` is the number of the tool in the spindle at the start; the other parameters are described in the class ToolPath.
   PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart, std::uint32_t tool);
 
-  /// Receives each segment of the path when the segment is complete. The reference stays valid as long as this object exists.
+  /// A function of the client that receives a segment of the path; PathRecord calls it when the segment is complete. The reference to the
+  /// segment stays valid as long as the PathRecord exists.
   std::function<void(const ViewPiece&)> on_piece;
 
   /// Records a step of the run.

@@ -37,15 +37,16 @@ class ProgramRun {
   /// Opens a run. Returns an error sentence if the set-up has a key that the control does not support.
   static tl::expected<std::unique_ptr<ProgramRun>, std::string> make(const OpenedProgram& opened, const StopToken& stop);
 
-  /// Receives each segment of the path. `channel` is 0 for the program's own channel; the other channels are counted from 1, sorted by
-  /// number.
+  /// A function of the client that receives each segment of the path during the run. `channel` is 0 for the program's own channel; the
+  /// other channels are counted from 1, sorted by number.
   std::function<void(const ViewPiece&, std::uint32_t channel)> on_piece;
-  /// Receives, after the run, the segments of the contour without cutter compensation, where compensation was in force.
+  /// A function of the client that receives, after the run, the segments of the contour without cutter compensation, where compensation was
+  /// in force.
   std::function<void(const ViewPiece&)> on_contour;
-  /// Receives each alarm. `at` is the time of the alarm in s. `channel` is the number of the alarm's channel on the machine, 0 for the
-  /// program's own channel.
+  /// A function of the client that receives each alarm. `at` is the time of the alarm in s. `channel` is the number of the alarm's channel
+  /// on the machine, 0 for the program's own channel.
   std::function<void(const AlarmReport&, double at, int channel)> on_alarm;
-  /// Called several times per second with the progress of the run.
+  /// A function of the client that receives the progress of the run; ProgramRun calls it several times per second.
   std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;
 
   /// Runs the program until its end, an alarm or a stop.
@@ -97,7 +98,7 @@ class ProgramRun {
   std::vector<TimeMark> marks_;
   std::vector<RunCheckpoint> checkpoints_;
   std::uint64_t apart_ = 4096;  // number of blocks between two checkpoints
-  double later_ = 0;            // delay of the machine, in s, after the programmed times
+  double later_ = 0;            // delay of the machine at the present step, in s, compared with the time estimate
   double seconds_ = 0;
   ProgressClock progress_clock_;
   End end_ = End::ended;

@@ -129,7 +129,7 @@ std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& t
 bool is_turning(const ProgramRun& run) {
   const AxisRoles roles = AxisRoles::of(run.control().axes(), run.control().rotary());
   if (roles.xyz[1] < 0) return true;
-  // The state before the end of the program is used, because the end resets the plane.
+  // The plane in force before the end of the program is tested, because the end of the program resets the plane.
   const auto last = Instants(run).at(run.seconds(), {});
   return last && std::any_of(last->after.begin(), last->after.end(), [](const InForce& one) { return one.code == "G18"; });
 }

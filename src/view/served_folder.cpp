@@ -90,7 +90,7 @@ std::string of_errno(const std::string& file, int error) {
   return fmt::format("{}: {}", file, errno_message(error));
 }
 
-std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a with 64 bits, which detects changes but not forgery
+std::uint64_t hash_of(std::string_view bytes) {  // the hash FNV-1a with 64 bits, which detects changes of a file but not forgery
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;
@@ -331,7 +331,8 @@ tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::st
   if (!replaces && kind_of_file(file) == FolderEntry::Kind::other)
     return tl::unexpected(Refused{translated(texts::view::not_a_name_to_save, file)});
   if (text.size() > max_saved) return tl::unexpected(Refused{translated(texts::view::too_long_to_save, file)});
-  static std::mutex one_at_a_time;  // if two pages save the same file, the second page finds that the first page has changed it
+  // This mutex lets only one page save at a time: if two pages save the same file, the second page finds that the file has changed.
+  static std::mutex one_at_a_time;
   const std::lock_guard hold(one_at_a_time);
   const auto now = digest(file);
   if (now ? !replaces || *now != *replaces : replaces.has_value())
@@ -341,7 +342,8 @@ tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::st
   if (!parent.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
   std::optional<struct stat> there(std::in_place);
   if (::fstatat(parent.fd(), last.c_str(), &*there, AT_SYMLINK_NOFOLLOW) != 0) there.reset();
-  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // refused, because a link, a folder or a device has this name
+  // The file is refused, because a link, a folder or a device has this name.
+  if (!now && there) return tl::unexpected(Refused{refusal(file)});
   take_away_unfinished(parent, last);
   if (const int error = put_in_place(parent, last, text, now ? there : std::nullopt); error != 0)
     return tl::unexpected(Refused{of_errno(file, error)});

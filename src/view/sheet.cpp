@@ -80,13 +80,14 @@ class SheetMaker {
   }
 
  private:
-  /// Returns the comment in the line `line`; else a comment in the line before or after it, if that line contains only comments.
+  /// Returns the comment in the line `line`. If this line has no comment, returns the comment in the line before or after it, provided that
+  /// the other line contains only comments.
   std::string comment_on_line(std::uint32_t line) const {
     if (line == 0) return {};
     const std::uint32_t first = line > 1 ? line - 1 : 1;
     const std::vector<std::string> lines = source_.from(first, 3);
     const std::size_t here = line - first;
-    // For the first line, here − 1 wraps around and is out of range, so the line before it is skipped.
+    // For the first line of the program, here − 1 wraps around to a number out of range, so no line before the first is read.
     for (const std::size_t i : {here, here - 1, here + 1}) {
       if (i >= lines.size()) continue;
       if (i != here && !without_comments(lines[i]).empty()) continue;

@@ -26,7 +26,7 @@ struct Sheet {
     std::string corrector;         // words of the offsets that the program uses with the tool, such as "D1 H1"
     struct Shared {
       std::string word;                  // the word of the offset, such as "H3"
-      std::vector<std::uint32_t> tools;  // numbers of the other tools that use this offset
+      std::vector<std::uint32_t> tools;  // numbers of the other tools that use the offset `word`
     };
     std::vector<Shared> shared;         // offsets of this tool that other tools use too
     double seconds = 0;                 // time in which the tool moves at feed, s

@@ -17,9 +17,9 @@ constexpr double above = 0.01;               // limit in mm: heights that differ
 // Margin as a fraction of the longest side, and the limits of this margin in mm.
 constexpr double margin_share = 0.05, least_margin = 1, max_margin = 5;
 constexpr std::size_t max_places = 1000;  // greatest number of positions that are checked one by one
-// Mm; a path that ends closer to a descent than this ends in the same hole.
+// Limit in mm: if the distance between the end of a path and a descent of the tool is less than this, both are in the same hole.
 constexpr double same_hole = 0.5;
-constexpr double turned_face = 1;  // stock in mm on the face of the part, if turning begins at Z0
+constexpr double turned_face = 1;  // thickness in mm of the material that is proposed on the face of the part, if turning begins at Z0
 constexpr double in_plane = 1e-3;  // tolerance in mm within which a path counts as in one plane
 
 bool at_feed(PathKind kind) {
@@ -42,7 +42,8 @@ void take_sides(Box3& box, const Box3& other) {
   box.most.x = std::max(box.most.x, other.most.x), box.most.y = std::max(box.most.y, other.most.y);
 }
 
-/// Reduces the box `wide` so that a tool with this radius does not touch the box when the tool is at `at`, a point outside the box `cut`.
+/// Reduces the box `wide` so that a tool of the given radius at the position `at` does not touch the box. `cut` is the box around the
+/// material that is cut; if `at` is inside this box, nothing changes.
 void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   const double left = cut.least.x - at.x, right = at.x - cut.most.x, front = cut.least.y - at.y, back = at.y - cut.most.y;
   const double farthest = std::max({left, right, front, back});

@@ -58,8 +58,10 @@ class StockGuess {
   double top_of(double zero) const;
   Cut cut_below(double top) const;
 
-  std::optional<Box3> all_;           // box around the path at feed
-  Boxes certain_;                     // boxes around the path at feed, without the positions in starts_ and ends_
+  std::optional<Box3> all_;  // box around the path at feed
+  // Boxes around the path at feed, without the positions in starts_ and ends_, where sideways travel starts after a rapid or ends before a
+  // rapid.
+  Boxes certain_;
   std::vector<Place> starts_, ends_;  // positions where sideways travel starts after a rapid, and where sideways travel ends before a rapid
   std::optional<Place> end_;          // end of the last sideways travel, until the next motion is known
   bool after_rapid_ = true;

@@ -27,7 +27,8 @@ class Blank {
   /// is true, else the line enters the blank.
   virtual Vec3 normal(Vec3 at, int family, bool out) const = 0;
   virtual double volume() const = 0;
-  /// Returns the volume in mm³ inside a box. Blanks without a better method add up intervals of lines, with a relative error of about 1e-5.
+  /// Returns the volume in mm³ inside a box. This default adds up intervals of lattice lines, with a relative error of about 1e-5; a blank
+  /// whose volume has an exact formula overrides it.
   virtual double volume_within(const Box3& box) const;
   /// Returns true if solid bodies of the blank overlap; the blank is then the union of these bodies.
   virtual bool overlaps() const { return false; }

@@ -25,8 +25,8 @@ class MeshBlank : public Blank {
   MeshBlank& operator=(const MeshBlank&) = delete;
 
   Box3 box() const override { return box_; }
-  /// The volume formula of the mesh would count regions inside two overlapping shells twice, so lattice lines measure the volume of such a
-  /// mesh.
+  /// The volume formula of a mesh would count a region inside two overlapping shells twice. So if shells overlap, the volume is measured by
+  /// intervals of lines instead.
   double volume() const override { return overlaps() ? Blank::volume_within(box_) : volume_; }
   const Mesh* mesh() const override { return &mesh_; }
   double volume_within(const Box3& box) const override { return overlaps() ? Blank::volume_within(box) : mesh_within(mesh_, box).volume; }
@@ -160,7 +160,8 @@ void take_ranges(MeshHit* first, MeshHit* last, std::vector<LineRange>& ranges) 
 std::shared_ptr<const Blank> mesh_blank(Mesh mesh) { return std::make_shared<MeshBlank>(std::move(mesh)); }
 
 std::size_t mesh_blank_bytes(std::size_t triangles) {
-  constexpr std::size_t mesh = 3 * sizeof(std::uint32_t) + 3 * sizeof(float) / 2;  // a closed mesh has half as many points as triangles
+  // 3 / 2 coordinates per triangle, because a closed mesh has half as many points as triangles.
+  constexpr std::size_t mesh = 3 * sizeof(std::uint32_t) + 3 * sizeof(float) / 2;
   constexpr std::size_t index = 3 * (6 + 1) * sizeof(std::uint32_t);
   return triangles * (mesh + index);
 }

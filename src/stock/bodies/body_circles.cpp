@@ -10,10 +10,10 @@ namespace {
 
 constexpr double same_circle = 1e-9;  // limit in mm: circles whose heights differ by less count as one
 
-/// Appends the tangent lines that replace a quarter circle about (x, y) with the radius r, from the point below the centre to the point at
-/// the centre's height.
+/// Replaces a quarter circle about (x, y) with the radius r by straight tangent lines, and appends the corners of these lines to `profile`.
+/// The quarter circle goes from the point below the centre to the point at the height of the centre.
 void add_arc(std::vector<Vec2>& profile, double x, double y, double r, double chord) {
-  // The corners between the tangents are about `chord` mm outside the circle.
+  // The corners where two tangent lines meet are about `chord` mm outside the circle.
   const double half = std::acos(1 / (1 + std::max(chord, 1e-9) / r));
   const int count = std::clamp(int(std::ceil(pi / 4 / half)), 2, 64);
   const double step = pi / 2 / count, about = r / std::cos(step / 2);
@@ -37,8 +37,8 @@ void add_solid(std::vector<Vec2>& profile, const RoundSolid& s, double chord) {
 
 }  // namespace
 
-/// Returns the outer side of the convex hull of the points, in ascending order, including the two ends (Andrew's monotone chain). An end of
-/// radius 0 is a single point.
+/// Returns the circles (radius and height) whose convex hull encloses the body, in ascending order of height. They are the outer side of
+/// the convex hull of the outline (Andrew's monotone chain), including both ends. An end of radius 0 is a single point.
 std::vector<Vec2> circles_of(const ConvexBody& body, double chord) {
   std::vector<Vec2> profile;
   for (const RoundSolid& s : body.solids) add_solid(profile, s, chord);

@@ -29,7 +29,7 @@ struct BodyGap {
 
 class BodyWorld {
  public:
-  /// Uses the given module, kadr-bodies.so.
+  /// Creates an empty set of bodies, whose distances are computed by the given module kadr-bodies.so.
   ///   pre  the module is loaded
   explicit BodyWorld(const KadrBodiesInterface& door);
 
@@ -40,7 +40,7 @@ class BodyWorld {
   /// Adds a body of the tool. The origin of the tool's coordinates is the tip, and Z is along the tool's axis.
   std::optional<SolidBody> add(const ConvexBody& body);
 
-  /// `pose_a`, `pose_b` are the poses of the coordinates in which each body was described.
+  /// Computes the distance between two bodies. `pose_a` and `pose_b` are the poses of the coordinates in which each body was described.
   ///   returns  the distance and the closest points; the distance is 0 if FCL finds no result
   BodyGap gap(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;
   /// Returns the depth in mm by which the two bodies overlap; 0 if the depth is unknown.

@@ -42,7 +42,8 @@ bool MovingBodies::belongs_together(const Pair& pair) const {
   return a.link != b.link && (a.kind == BodyKind::machine || b.kind == BodyKind::machine);
 }
 
-/// Chooses the pairs to check: both bodies are shown, and accept_initial_contacts() has not excluded the pair.
+/// Chooses the pairs of bodies to check. A pair is checked if neither of its bodies is excluded, and accept_initial_contacts() has not
+/// excluded the pair.
 void MovingBodies::choose() {
   chosen_.clear();
   for (std::size_t i = 0; i < pairs_.size(); ++i)

@@ -49,15 +49,14 @@ class MovingBodies {
   /// Makes all stored distances and contacts unknown. Must be called after the axes have moved along an unknown path.
   void jump();
 
-  /// Excludes the pairs that are in contact when all axes are at 0, because the machine is built so: pairs of bodies of the machine, and
-  /// pairs of a body of the machine and the tool.
-  ///   returns  the newly excluded pairs of which both bodies belong to the machine
+  /// Excludes from the checks the pairs of bodies that are in contact when all axes are at 0, because the machine is built with this
+  /// contact. Only pairs of two bodies of the machine, and pairs of the tool and a body of the machine, are excluded.
+  ///   returns  the pairs of two bodies of the machine that this call has excluded
   std::vector<std::pair<std::size_t, std::size_t>> accept_initial_contacts();
 
-  /// Moves each axis evenly from one position to the other, and finds collisions.
-  ///   found  the collisions are appended
+  /// Moves each axis evenly from the position `from` to the position `to`, and appends the collisions on this motion to `found`.
   void move(const Axes& from, const Axes& to, std::vector<BodyMeeting>& found);
-  /// Returns by how much two bodies overlap at these axis positions, mm; 0 if they do not overlap, or if the overlap is unknown.
+  /// Returns by how much two bodies overlap at the axis positions `axes`, mm; 0 if they do not overlap, or if the overlap is unknown.
   double depth(std::size_t first, std::size_t second, const Axes& axes);
   /// Returns the number of distance computations by FCL so far.
   std::uint64_t queries() const { return queries_; }
@@ -75,7 +74,7 @@ class MovingBodies {
     std::size_t carrier;   // the last link, counted from the bed, that carries both bodies
     double at_least = 0;   // lower bound in mm of the distance between the two bodies at the present axis positions
     bool touches = false;  // true if the two bodies have met and have not separated since
-    bool touched = false;  // value that `touches` had before this motion
+    bool touched = false;  // true if the two bodies were already in contact at the start of the present motion
     bool as_built = false, is_checked = false;
   };
   void choose();

@@ -14,7 +14,8 @@ namespace kadr {
 inline constexpr int brick_edge = 16;
 inline constexpr int brick_lines = brick_edge * brick_edge;  // number of lattice lines in a family
 
-inline constexpr std::int32_t of_blank = -1;  // marks an end of an interval that is on the blank's surface, where no sweep has cut
+// Number in place of a sweep's number, for an end of an interval that is on the blank's surface, where no sweep has cut.
+inline constexpr std::int32_t of_blank = -1;
 
 /// A second or later interval of a line.
 struct FurtherInterval {
@@ -38,7 +39,7 @@ struct Brick {
   // stays above a bound removes nothing there and is skipped.
   alignas(32) std::array<float, 16> top_of_square;
   float top = 0;
-  int cuts_since = 0;  // number of cuts after which the bounds have not been computed again
+  int cuts_since = 0;  // number of cuts since the height bounds were last computed
 };
 
 /// Recomputes the height bounds `top_of_square` and `top`.

@@ -36,7 +36,7 @@ struct Past {
   /// brick, and deletes the copies in between.
   void make_room();
   /// Records that a sweep cut a brick. Several threads may call this function at once, since each brick is cut by one thread only.
-  ///   after  the brick after the cut; nullptr if no material remains
+  ///   after  the state of the brick that the sweep has left; nullptr if no material remains
   void add(std::size_t brick, std::int32_t sweep, const Brick* after);
   std::size_t bytes() const;
 

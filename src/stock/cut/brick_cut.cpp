@@ -1,4 +1,4 @@
-// Selects the vector width of the processor and runs the Cutter. Used by stock/stock.
+// Cuts one brick with an upright tool: runs the class Cutter, compiled for the widest vectors that the processor has. Used by stock/stock.
 
 #include "stock/cut/brick_cut.h"
 

@@ -20,7 +20,8 @@ struct RemovedBox {
 struct CutOutcome {
   bool changed = false;
   double length = 0;  // removed length, summed over the lattice lines along Z, mm
-  float depth = 0;    // greatest height of removed material above the tip's lowest position over the line, mm
+  // Greatest height in mm of removed material on a lattice line along Z, above the lowest position of the tool's tip over this line.
+  float depth = 0;
   float longest = 0;  // longest interval removed from a lattice line of any direction, mm
   // Receives the box around the removed material unless nullptr; removed intervals shorter than `least_piece` mm are left out of the box.
   RemovedBox* watched = nullptr;

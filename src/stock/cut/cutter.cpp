@@ -118,7 +118,8 @@ void Cutter::watch_lanes(const BrickLines& lines, int family, int at, const floa
   }
 }
 
-/// Handles lines in which the swept interval divides the first interval in two: the upper part becomes a further interval.
+/// Handles lattice lines on which the sweep removes the middle of the first interval of material: the lower part remains the first
+/// interval, and the upper part is added to the further intervals.
 void Cutter::split(BrickLines& lines, int at, const float* from, const float* to) {
   for (int i = 0; i < lanes::lane_count; ++i) {
     if (!(from[i] > lines.from[at + i] && to[i] < lines.to[at + i] && from[i] < to[i])) continue;

@@ -111,8 +111,8 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
   BrickLines& lines = brick_.family[std::size_t(family)];
   const LocalSweep sweep = body_.turned ? upside_down(sweep_) : sweep_;
   const LevelPath path(sweep, family == 2 ? 0 : family);
-  // This test for further intervals is made before this cut, because intervals that this cut itself splits off are outside the swept
-  // volume.
+  // Whether a line has further intervals of material is tested before this cut. A further interval that this cut itself splits off is
+  // outside the swept volume, so nothing must be removed from it.
   const bool several = !lines.further.empty();
   alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
   if (several) std::fill(all_from, all_from + brick_lines, missed), std::fill(all_to, all_to + brick_lines, -missed);

@@ -12,7 +12,8 @@
 #include <cmath>
 #include <cstdint>
 
-#pragma GCC diagnostic ignored "-Wpsabi"  // GCC warns that passing vectors by value depends on AVX; these vectors are never passed by value
+// Switches off a warning of GCC that passing vectors by value depends on AVX: here vectors are never passed by value.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 #define KADR_IN_LANES inline __attribute__((always_inline))
 #define KADR_OWN_FUNCTION __attribute__((noinline))

@@ -19,8 +19,8 @@ struct LevelPath {
   float start, across_start;  // position of the tip at the start of the path, mm: along the lines and across the lines
   float forth, across, up;    // unit vector of the path
   float per_across;
-  // Signed distance, across the lines, of the centre of a disc of the tool from a line, per mm of the disc's radius. It is measured at the
-  // position on the path where the disc reaches farthest along the line.
+  // A disc of the tool reaches farthest along a lattice line at one position on the path. `side` describes this position: the signed
+  // distance, across the lines, of the disc's centre from the line, divided by the disc's radius.
   float side;
 };
 
@@ -69,7 +69,8 @@ KADR_IN_LANES Swept<V> level_cylinder(const LevelPath& w, const LevelLines<V>& l
 template <class V>
 KADR_IN_LANES Swept<V> level_ball(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const PathSection<V>& on) {
   float across = w.across, up = w.up,
-        square = across * across + up * up;  // the equal term 1 - forth² would lose all digits if the path is along the lines
+        // Equals 1 - forth², but that formula would lose all digits if the path is nearly parallel to the lattice lines.
+      square = across * across + up * up;
   const bool along = square < upright_below * upright_below;
   if (along) across = up = 0.f, square = upright_below * upright_below;
   const float per_square = 1 / square, slope = w.forth / std::sqrt(square);
@@ -86,21 +87,23 @@ KADR_IN_LANES Swept<V> level_ball(const LevelPath& w, const SweptBody& b, const 
 template <class V>
 struct EndAt {
   V square;  // square of half the length of the line inside the end of the tool, mm²
-  V forth;   // sign · forth + turn is proportional to the slope, along the path, of the position where the line leaves the end of the tool
-  V turn;    // second summand of the slope; see `forth`
+  // First summand of a slope, without its sign: the point where the lattice line leaves the end of the tool moves along the line with a
+  // slope proportional to sign · forth + turn, while the tool moves along its path.
+  V forth;
+  V turn;  // second summand of the slope that `forth` describes
 };
 template <class V, BodyEnd end>
 KADR_IN_LANES EndAt<V> end_at(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const V& place) {
   const V none = spread<V>(0.f), height = within(lines.up - place * w.up - b.bottom, none, spread<V>(b.tall()));
   const V side = place * w.across - lines.across;
-  V radius, grows, scale;  // grows / scale is the change of the radius in mm per mm of height
+  V radius, grows, scale;  // The quotient grows / scale is the change of the tool's radius in mm per mm of height.
   if constexpr (end == BodyEnd::cone) {
     radius = height * b.widens + b.flat, grows = spread<V>(b.widens), scale = spread<V>(1.f);
   } else {
     scale = root(height * (2 * b.corner - height)), radius = scale + b.flat, grows = spread<V>(b.corner) - height;
   }
-  // At positions on the path where the end misses the line, a slope is returned whose sign points towards the positions at which the end
-  // meets the line.
+  // At positions on the path where the end of the tool misses the line, the result is a slope whose sign points towards the positions at
+  // which the end of the tool meets the line.
   const V square = (radius - side) * (radius + side), towards = choose(side > 0.f, spread<V>(w.across), spread<V>(-w.across));
   const V rises = grows * w.up;
   const MarksOf<V> meets = square > 0.f;

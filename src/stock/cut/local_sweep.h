@@ -11,7 +11,8 @@ namespace kadr {
 
 /// Distances in mm by which a body of the tool extends around the tip.
 struct AroundTip {
-  double sideways, below, above;  // three distances; `below` is negative if the whole body is above the tip
+  // Distances of the outermost points of the body from the tip; `below` is negative if the whole body is above the tip.
+  double sideways, below, above;
 };
 
 /// A straight path of the tip. Lengths are in mm, from the brick's corner.
@@ -20,9 +21,9 @@ struct LocalSweep {
   float direction[3];  // unit vector of the path; {1, 0, 0} if the tool does not move
   float length;
   float rise;               // Z component of the whole path in mm
-  float per_upward;         // 1 / way[2]; a large number for a level path
-  float flat_direction[2];  // XY components of `direction`; both 0 for a vertical path
-  float flat, per_flat;     // length of flat_direction, and the inverse of this length, which is finite even for a length of 0
+  float per_upward;         // 1 / (Z component of `direction`); a large number for a level path
+  float flat_direction[2];  // X and Y components of `direction`; both are 0 for a vertical path
+  float flat, per_flat;     // Length of the vector flat_direction (0 to 1), and its inverse, which is finite even if the length is 0.
   bool upright;
 
   float lowest() const { return from[2] + std::min(rise, 0.f); }

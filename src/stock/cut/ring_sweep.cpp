@@ -12,7 +12,7 @@ InsertPoint moved(const InsertPoint& p, const InsertPoint& by, double k = 1) { r
 
 double inner(const InsertPoint& a, const InsertPoint& b) { return a.x * b.x + a.z * b.z; }
 
-/// Returns the second coordinate of the point of a straight edge whose first coordinate is `at`.
+/// Returns a coordinate of a point on a straight edge of which the other coordinate, `at`, is known.
 double along_edge(double from, double per, double at, double other_from, double other_to) {
   const double share = std::clamp((at - from) * per, 0.0, 1.0);
   return other_from + share * (other_to - other_from);
@@ -33,8 +33,8 @@ RingSweep::RingSweep(const InsertBody& body, const InsertPoint& from, const Inse
   const InsertPoint delta{to.x - from.x, to.z - from.z};
   const double far = std::sqrt(inner(delta, delta));
   const InsertPoint right =
-      // Unit vector to the right of the path. In counter-clockwise order after this vector, the normals of the outline point ahead along
-      // the path.
+      // Unit vector perpendicular to the path, to its right. In counter-clockwise order, the normals of the outline in the half circle
+      // after this vector point ahead along the path.
       far > 0 ? InsertPoint{delta.z / far, -delta.x / far} : InsertPoint{};
   std::vector<InsertCorner> corners;
   std::vector<InsertPoint> outward;

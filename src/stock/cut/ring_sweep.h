@@ -30,7 +30,7 @@ class RingSweep {
  public:
   struct Edge {
     InsertPoint from, to, outward;
-    double per_x, per_z;  // 1 / length of the edge along x and along z; 0 if this length is 0
+    double per_x, per_z;  // inverses of the edge's extents along x and along z, in 1/mm; 0 for an extent of 0
   };
   /// An arc of the outline. `first` and `last` are the outward unit normals at the two ends of the arc.
   struct Arc {

@@ -15,7 +15,7 @@ namespace kadr::lanes {
 /// The slope of the distance that the body reaches along a lattice line, at one position on the path.
 template <class V>
 struct Slope {
-  V value;            // positive if the body reaches farther at later positions on the path
+  V value;            // the slope: positive if the body reaches farther along the lattice line at later positions on the path
   MarksOf<V> smooth;  // true if the line meets the body at this position, so that the slope is continuous there
 };
 
@@ -28,8 +28,9 @@ struct Bracket {
   Slope<V> at_first, at_last;
 };
 
-/// Narrows the section of the path that contains the maximum, until it is at most `error` mm long. `slope_at(place)` must return the Slope
-/// at a position. In the lanes `sought` the slope is positive at `place_first` and negative at `place_last`; other lanes are ignored.
+/// Narrows the section of the path that contains the position of farthest reach, until the section is at most `error` mm long.
+/// `slope_at(place)` must return the Slope at a position. Only the lines marked in `sought` are searched: there the slope is positive at
+/// `place_first` and negative at `place_last`.
 template <class V>
 KADR_IN_LANES Bracket<V> bracketed(const V& place_first, const V& place_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                    const MarksOf<V>& sought, float error, const auto& slope_at) {
@@ -41,8 +42,8 @@ KADR_IN_LANES Bracket<V> bracketed(const V& place_first, const V& place_last, co
     const V width = last - first, middle = half * (first + last);
     if (!any(sought & (width > error))) break;
     const V chord = within(first + width * (at_first.value / (at_first.value - at_last.value)), first, last);
-    // The position is moved slightly towards the middle. The maximum is then between this position and the nearer end of the bracket, so
-    // the bracket becomes much shorter.
+    // The next position to test is moved slightly from the zero of the chord towards the middle of the bracket. The maximum is then between
+    // this position and the nearer end of the bracket, so the bracket becomes much shorter.
     const V pushed = choose(chord < middle, least(chord + beyond, middle), most(chord - beyond, middle));
     const V place = choose(at_first.smooth & at_last.smooth & ~slow, pushed, middle);
     const Slope<V> here = slope_at(place);
@@ -62,8 +63,8 @@ KADR_IN_LANES V farthest_position(const V& place_first, const V& place_last, con
   return 0.5f * (b.first + b.last);
 }
 
-/// Does the same as bracketed(), for a slope that is smooth everywhere, and then interpolates in the final bracket. The error of the result
-/// is much smaller than `error`.
+/// Searches the position of farthest reach as bracketed() does, for a slope that is smooth on the whole path. Then interpolates in the
+/// final bracket, so the error of the result is much smaller than `error`.
 template <class V>
 KADR_IN_LANES V smooth_farthest_position(const V& place_first, const V& place_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                          const MarksOf<V>& sought, float error, const auto& slope_at) {

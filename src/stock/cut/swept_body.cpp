@@ -1,4 +1,5 @@
-// Converts a body of a tool for intersection with lattice lines when the tool is upright. Used by stock/stock.
+// Converts a convex body of an upright tool to a SweptBody: one rounded, conical or flat end and one cylinder, in single precision, for
+// which the intersection with lattice lines has fast formulas. Used by stock/stock.
 
 #include "stock/cut/swept_body.h"
 
@@ -9,7 +10,8 @@
 namespace kadr {
 namespace {
 
-/// Accepted error in mm of the point where the tool leaves a line. This error decides how accurate a position on the path must be.
+/// Accepted error in mm of the point where the tool leaves a lattice line. This error decides how accurately the position on the path, at
+/// which the tool reaches farthest, must be found.
 constexpr double error_by_position = 4e-4;
 
 BodyEnd end_of(RoundSolid::Form form) {
@@ -43,7 +45,8 @@ SweptBody swept_body(const ConvexBody& convex) {
     body.widens = float((end.top_radius - end.bottom_radius) / (end.top - end.bottom));
     body.stands = float((end.top - end.bottom) / (end.top_radius - end.bottom_radius));
   }
-  // A position on the path with an error of e mm shifts the result by e² / (2 corner); at the apex of a cone the result shifts by up to e.
+  // If the position on the path has an error of e mm, the point where a ball or torus leaves a lattice line has an error of e² / (2
+  // corner). At the apex of a cone this point has an error of up to e.
   body.error_at_position = float(body.end == BodyEnd::cone ? 3e-4 : std::sqrt(2 * error_by_position * double(body.corner)));
   return body;
 }

@@ -15,8 +15,8 @@ struct BallPath {
   float radius;
 };
 
-/// A BallPath in the coordinates of the lattice lines of one family: one component along the lines, and two across the lines, by lane and
-/// by row.
+/// The path of a ball (BallPath) in the coordinates of the lattice lines of one family. Of the three coordinates, `line` is along the
+/// lines; `lane` and `row` are the two coordinates across the lines, by which the lines of a brick are numbered.
 struct BallTube {
   KADR_IN_LANES BallTube(const BallPath& path, int family) {
     const int axes[3] = {family, (family + 1) % 3, (family + 2) % 3};
@@ -37,7 +37,7 @@ struct BallTube {
   float line[2], lane[2], row[2];           // position of the ball's centre at the start and at the end of the path, mm
   float along_line, along_lane, along_row;  // unit vector of the path
   float length;                             // length of the path in mm
-  // square: sine² of the angle between the path and the lines; per_square: 1 / square; per_line: 1 / along_line.
+  // square: the squared sine of the angle between the path and the lines; per_square: its inverse; per_line: the inverse of along_line.
   float square, per_square, per_line;
   float radius_square;
   bool is_there;  // true if the ball sweeps a tube; false if the balls at both ends contain the whole swept volume
@@ -49,8 +49,8 @@ KADR_IN_LANES Swept<V> in_ball_of(const BallTube& b, int end, const V& lanes, co
   return where(room > 0.f, b.line[end] - half, b.line[end] + half);
 }
 
-/// Returns the intervals that the ball sweeps of lattice lines at the positions `lanes`. `row` is one position for all lines, or one
-/// position for each line.
+/// Returns for each lattice line the interval that the ball sweeps. `lanes` and `row` are the positions of the lines across their
+/// direction; `row` is one number for all lines, or one number for each line.
 template <class V>
 KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const auto& row) {
   const Swept<V> ends = either(in_ball_of(b, 0, lanes, row), in_ball_of(b, 1, lanes, row));

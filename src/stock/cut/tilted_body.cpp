@@ -1,4 +1,5 @@
-// Converts a body of a tool for intersection with lattice lines when the tool is tilted. Used by stock/stock.
+// Converts a convex body of a tilted tool to a TiltedBody: cylinders, cones and rounded ends in single precision, for which the
+// intersection with lattice lines has fast formulas. Used by stock/stock.
 
 #include "stock/cut/tilted_body.h"
 
@@ -7,11 +8,13 @@
 namespace kadr {
 namespace {
 
-constexpr double tilted_position_error = 4e-5;  // error in mm of the result that an inaccurate position on the path may cause
+// Accepted error in mm of the swept interval, as far as an inaccurate position on the path causes the error.
+constexpr double tilted_position_error = 4e-5;
 
 Frustum larger_frustum(Frustum f, float by) {
   const float tall = f.high - f.low, widens = tall > 0 ? (f.high_radius - f.low_radius) / tall : 0.f;
-  const float wider = by * std::sqrt(1 + widens * widens);  // horizontal enlargement at the side of a cone, mm
+  // Horizontal distance in mm that moves the side of a cone outwards by `by` mm, measured at a right angle to the side.
+  const float wider = by * std::sqrt(1 + widens * widens);
   return {f.low - by, f.high + by, std::max(f.low_radius - by * widens, 0.f) + wider, std::max(f.high_radius + by * widens, 0.f) + wider};
 }
 

@@ -12,13 +12,16 @@ struct Frustum {
   float low_radius = 0, high_radius = 0;
 };
 
-/// A convex body of a tilted tool: the union of the members that its kind names.
+/// A convex body of a tilted tool. `kind` decides of which of the members `end`, `shaft`, `flat`, `corner` and `middle` the body consists.
 struct TiltedBody {
   enum class Kind : std::uint8_t {
     cylinder,  // the cylinder `shaft`
     cone,      // the cone `end`, and the cylinder `shaft` above the cone if the height of the cylinder is not 0
-    ball,      // a whole ball of radius `corner` with its centre on the axis at the height `middle`, and `shaft` above the centre
-    rounded,   // bull nose: all points within `corner` of a cylinder of radius `flat` that begins at the height `middle`, below shaft.high
+    // A whole ball of radius `corner`, whose centre is on the tool's axis at the height `middle`; and the cylinder `shaft` above the
+    // centre.
+    ball,
+    // Bull nose: all points at most `corner` mm away from a cylinder of radius `flat` that begins at the height `middle`, below shaft.high.
+    rounded,
   };
   Kind kind = Kind::cylinder;
   Frustum end, shaft;

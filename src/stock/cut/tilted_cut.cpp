@@ -1,4 +1,5 @@
-// Cuts with a tilted tool: the code that uses no lanes, and the selection of the vector width. Used by stock/stock.
+// Cuts a brick with a tilted tool: the part of the code that handles single numbers instead of eight lines at once, and the choice of the
+// widest vectors that the processor has. Used by stock/stock.
 
 #include "stock/cut/tilted_cut.h"
 
@@ -56,7 +57,9 @@ TiltedSweep::TiltedSweep(const TiltedPath& path, Vec3 corner, double edge) {
     along(axis, d) = 1;
     const Vec3 a = ToolEnds::in(ends.axes_first, axis), b = ToolEnds::in(ends.axes_last, axis);
     const Vec3 sum = a + b;
-    const double per = 1 / std::sqrt(dot(sum, sum));  // normalises the mean direction, whose length is less than 1 by turn² / 8
+    // Factor that makes the sum of the two unit vectors a unit vector. Half this sum is shorter than 1 by turn² / 8, because the tool turns
+    // between the two poses.
+    const double per = 1 / std::sqrt(dot(sum, sum));
     for (int i = 0; i < 3; ++i) {
       axes[d][i] = float(per * (along(a, i) + along(b, i)));
       axes_first[d][i] = float(along(a, i)), axes_last[d][i] = float(along(b, i));
@@ -139,7 +142,7 @@ bool may_reach(const TiltedSweep& s, const TiltedBody& body, const BrickScale& s
     at[i] = s.middle[i] + s.axes[2][i] * (tall - half);
     size[0][i] = s.axes[0][i] * half, size[1][i] = s.axes[1][i] * half, size[2][i] = s.axes[2][i] * tall;
   }
-  /// Returns the least value over the box of the scalar product with the vector x, y, z.
+  /// Returns the least value that the scalar product of the vector (x, y, z) and a point has among all points of the box.
   const auto least = [&](float x, float y, float z) {
     float sum = at[0] * x + at[1] * y + at[2] * z;
     for (const auto& d : size) sum -= std::fabs(d[0] * x + d[1] * y + d[2] * z);

@@ -22,11 +22,14 @@ struct TiltedSweep {
   // Tip (mm) and direction of the tool at the start and the end of the path, relative to the brick's middle.
   float tips[2][3], directions[2][3];
   float half_turn;  // half the angle by which the tool turns on the path, radians
-  float aside[3];   // offset of the brick's middle, half way along the path, from the chord of its path, mm
-  float bend;       // upper bound of this offset for all points of the brick, mm
-  float reach;      // distance from the brick's middle to the brick's corners, mm
-  /// Returns the greatest error in mm of an intersection in the brick, if the intersection is computed with the shift that belongs to
-  /// another position on the line.
+  // The middle of the brick moves past the tool on a curve. `aside` is the vector in mm from the chord of this curve to the curve, half way
+  // along the path.
+  float aside[3];
+  float bend;   // greatest distance in mm between the path of a point of the brick past the tool and the chord of this path (upper bound)
+  float reach;  // distance from the brick's middle to the brick's corners, mm
+  /// Returns an upper bound, in mm, of the error of an intersection with a lattice line that is computed with an estimated shift. The shift
+  /// of a point past the tool depends on the point, so the shift at an estimated position differs a little from the shift at the true
+  /// position.
   float guess_error() const { return half_turn * reach; }
 };
 
@@ -41,8 +44,8 @@ struct LineSet {
 struct TiltedCut {
   const TiltedSweep& sweep;
   const TiltedBody& body;
-  const LocalSweep& tip;          // path of the tip of the tool alone
-  const SweptBody& upright_body;  // the same body as `body`, for the case that the tool is upright
+  const LocalSweep& tip;          // the path of the tool's tip, in the form that upright tools use
+  const SweptBody& upright_body;  // the same body as `body`, in the form for an upright tool
   const LineSet* only = nullptr;  // the lines to cut; nullptr: all lines
 };
 
@@ -50,8 +53,9 @@ struct TiltedCut {
 /// the box of the material against planes: the body's flat faces, and planes that touch the side or the ball of the body.
 bool may_reach(const TiltedSweep& sweep, const TiltedBody& body, const BrickScale& scale, float top);
 
-/// Removes the material that the body sweeps, except from lines over which the body's surface turns during the sweep (tilted_over.h).
-///   returns  the excepted lines; the caller must cut them with the two halves of the path instead
+/// Removes the material that the body sweeps. Leaves out lattice lines for which a tool that turns may sweep two separate intervals
+/// (tilted_over.h).
+///   returns  the lines that were left out; the caller must cut them with the two halves of the path instead
 LineSet cut_brick_tilted(Brick& brick, const BrickScale& scale, const TiltedCut& cut, std::int32_t by, CutOutcome& outcome,
                          LaneWidth width = widest_lanes());
 

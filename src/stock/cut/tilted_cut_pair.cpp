@@ -1,4 +1,4 @@
-// Cuts with a tilted tool, with vectors that every processor has. Used by stock/cut/tilted_cut.
+// Cuts with a tilted tool, with pairs of 16-byte vectors, which every processor supports. Used by stock/cut/tilted_cut.
 
 #include "stock/cut/tilted_ball_cutter.h"
 #include "stock/cut/tilted_cutter.h"

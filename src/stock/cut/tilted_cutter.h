@@ -28,8 +28,8 @@ class TiltedCutter : public Cutter {
   /// The material that the sweep reaches, in squares of 4 × 4 lattice lines along Z.
   struct Reached {
     std::uint32_t squares = 0;  // one bit for each square
-    // For each column and row of reached squares: the height of the top of the material, and the height where the body starts. The square
-    // column or row is empty if the top is below the start.
+    // For each column and row of reached squares, in mm: the greatest height of material and the least height that the sweep reaches. A
+    // column or row is not cut if the first height is below the second.
     float top_x[squares_along], top_y[squares_along], low_x[squares_along], low_y[squares_along];
   };
   template <class V>
@@ -84,9 +84,9 @@ class TiltedCutter : public Cutter {
   Frustum around_;
   FacesNear near_;
   bool shifts_little_;
-  // like around_, for squares of lines along Z; for a ball end, it encloses the shaft; unused unless shifts_little_
+  // Encloses what the body (of a ball-end tool: the shaft) sweeps, enlarged by half a square of lines along Z; used only if shifts_little_.
   Frustum around_columns_;
-  float widest_;   // greatest radius of the body in mm, with a margin for guess errors
+  float widest_;   // greatest radius of the body in mm, with a margin for the error of an estimated shift
   BallPath ball_;  // path of the ball, if the body has a ball end
   bool below_shaft_;
   TiltedOver over_;
@@ -94,12 +94,12 @@ class TiltedCutter : public Cutter {
   LineSet& later_;
 };
 
-/// Cuts eight lines at once, with two vectors of the processor or with one; cut_tilted_wide() needs AVX2.
+/// These functions cut a brick, eight lines at a time, with two vectors of 16 bytes (pair) or one vector of 32 bytes (wide, needs AVX2).
 void cut_tilted_pair(TiltedCutter& cutter);
 void cut_tilted_wide(TiltedCutter& cutter);
 
-/// Accepted error in mm of an end of an interval. If the shift is that of a position with an error of x mm, the result has an error of x
-/// times the turn (radians).
+/// Accepted error in mm of an end of a swept interval. If the shift of a position x mm away from the end is used, the end has an error of x
+/// times the angle in radians by which the tool turns.
 inline constexpr float accepted_error = 2.5e-4f;
 inline constexpr int quick_steps = 2, max_refined = 16;
 
@@ -121,7 +121,7 @@ KADR_IN_LANES Vec3Of<V> TiltedCutter::line_value(const float (&middle)[3], const
   return {lanes * u[0] + (row * v[0] + middle[0]), lanes * u[1] + (row * v[1] + middle[1]), lanes * u[2] + (row * v[2] + middle[2])};
 }
 
-/// Returns the lines of a family in the tool's coordinates. `past` is the tool's path with the shift of the brick's middle.
+/// Returns the lattice lines of a family in the tool's coordinates. `past` is the motion of the tool past the middle of the brick.
 template <class V>
 KADR_IN_LANES TiltedFamily<V> TiltedCutter::lines_of(int family, const PathPast<V>& past) const {
   const float* const e = tilted_sweep_.axes[family];
@@ -188,7 +188,7 @@ KADR_IN_LANES TiltedCutter::Reached TiltedCutter::reached(const PathPast<V>& pas
   return r;
 }
 
-/// Returns the rows, among the four in the row `square` of squares, in which the sweep may reach a line, from the line `lane` on.
+/// Returns the rows in which the sweep may reach one of eight lines; `lane` is the first line, and `square` the row of squares to search.
 inline TiltedCutter::RowRange TiltedCutter::rows_of(const Reached& r, int family, int square, int lane, const BrickScale& scale) {
   constexpr int wide = brick_edge / squares_along;
   const RowRange all{square * wide, square * wide + wide}, none{0, 0};
@@ -257,7 +257,7 @@ KADR_OWN_FUNCTION Swept<V> TiltedCutter::by_end(const TiltedFamily<V>& all, int 
     if (i + 1 == max_refined || !any(open)) break;
     place = next;
   }
-  // An end of an interval that is outside the brick may be moved anywhere outside the brick.
+  // Only ends inside the brick are corrected. Ends outside the brick need not be exact, because no material is removed outside the brick.
   const MarksOf<V> misses = end_of.from > end_of.to, inside = (low > -half) & (high < half);
   const V from = choose(inside, within(end_of.from, low, high), end_of.from), to = choose(inside, within(end_of.to, low, high), end_of.to);
   const Swept<V> end{choose(by_from, from, end_of.from) + half_, choose(by_from, end_of.to, to) + half_};
@@ -272,11 +272,11 @@ KADR_IN_LANES Swept<V> TiltedCutter::ends_in(const TiltedFamily<V>& all, int fam
   const MarksOf<V> reached = meet(guess, material);
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
   const Swept<V> one = by_end<V, kind>(all, family, line, guess, by_from, reached, material);
-  // An end of the interval is certainly outside the material only if this end is computed in the pose at the start or the end of the path.
+  // Only an interval in an end pose (start or end of the path) shows with certainty whether the tool leaves the line beyond the material.
   const MarksOf<V> open_from = line.at_ends.from + half_ > material.from, open_to = line.at_ends.to + half_ < material.to;
   const MarksOf<V> other_to = by_from & ((one.to < material.to + room) | open_to);
   const MarksOf<V> other_from = ~by_from & ((one.from > material.from - room) | open_from);
-  // The other end is computed even if the line misses the material with the shift at this end: the shift at the other end may differ.
+  // The second end is computed even if the line seems to miss the material at the first end, because the shift at the second end differs.
   const MarksOf<V> sought = reached & (one.from <= one.to) & (other_to | other_from);
   if (!any(sought)) return one;
   const Swept<V> two = by_end<V, kind>(all, family, line, one, ~by_from, sought, material);
@@ -320,7 +320,7 @@ KADR_OWN_FUNCTION bool TiltedCutter::sweeps(const TiltedFamily<V>& all, int fami
   }
 }
 
-/// Does the same as sweeps() for a cylinder. Between the end poses, the cylinder is tested only where it may reach more material.
+/// Does for a cylinder what sweeps() does for other bodies. Between the end poses, only lines of which more may be swept are tested.
 template <class V>
 KADR_IN_LANES bool TiltedCutter::sweeps_cylinder(const TiltedFamily<V>& all, int family, TiltedRow<V>& line, const MarksOf<V>& near,
                                                  const Swept<V>& material, Swept<V>& swept) const {
@@ -335,7 +335,7 @@ KADR_IN_LANES bool TiltedCutter::sweeps_cylinder(const TiltedFamily<V>& all, int
   if (any(open_from)) open_from = open_from & ~is_farthest_back(first, last, past);
   if (any(open_to)) open_to = open_to & ~is_farthest_on(first, last, past);
   if (!any(open_from | open_to)) return any(meet(swept, material));
-  // Most lines that the cylinder misses in both end poses are missed during the whole path.
+  // Most lines that the cylinder misses in both end poses are missed during the whole path, so a quick test excludes them.
   const MarksOf<V> misses = swept.from > swept.to;
   MarksOf<V> reached = open_from | open_to;
   Swept<V> guess = swept;
@@ -366,7 +366,7 @@ KADR_OWN_FUNCTION void TiltedCutter::cut_family(const Reached& reached, const Pa
     material_of_all(lines, first, last);
   }
   const V none = spread<V>(0.f);
-  Taken<V> taken{none, none, none, spread<V>(missed)};  // for a tilted tool, the tip at the height `missed` gives the depth 0
+  Taken<V> taken{none, none, none, spread<V>(missed)};  // a tilted tool reports no depth: a tip at the height `missed` gives the depth 0
   const TiltedFamily<V> all = lines_of<V>(family, past);
   [[maybe_unused]] const auto tube = [&] {
     if constexpr (kind == TiltedBody::Kind::ball) return BallTube(ball_, family);

@@ -1,4 +1,4 @@
-// Divides the path of a tilted tool for one brick. Used by stock/stock_tilted.
+// Divides the path of a tilted tool into parts that are straight enough, as seen from one brick. Used by stock/stock_tilted.
 
 #include "stock/cut/tilted_division.h"
 
@@ -41,7 +41,8 @@ double bend_of(const TiltedSweep& s, const TiltedBody& body, const HeightRange& 
   return heights.high < body.shaft.low ? of_ball : std::max(of_ball, double(s.bend));
 }
 
-/// Inserts a fraction of the path into the ascending list `share`; `count` is the number of segments between the fractions.
+/// Inserts a fraction of the path into the ascending list `share`. The list has one fraction more than `count`, the number of parts of the
+/// path.
 void put_between(std::array<double, 5>& share, int& count, double at) {
   std::size_t i = std::size_t(++count);
   for (; share[i - 1] > at; --i) share[i] = share[i - 1];

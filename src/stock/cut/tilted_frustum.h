@@ -53,7 +53,8 @@ struct Heading {
 
   float x, y, z;
   float per_z;
-  float square, per_square;  // x² + y², the squared component across the tool's axis; and the inverse of this sum
+  // square: x² + y², the squared length of the component across the tool's axis; per_square: the inverse of `square`.
+  float square, per_square;
 };
 template <class V>
 KADR_IN_LANES Vec3Of<V> vector_of(const Heading& h) {
@@ -110,7 +111,7 @@ KADR_IN_LANES Swept<V> either(const Swept<V>& a, const Swept<V>& b) {
   return {choose(meets, least(a.from, b.from), a.from), choose(meets, most(a.to, b.to), a.to)};
 }
 
-/// Limits the intervals to the positions `place` on the line at which start + place * slope is not negative.
+/// Limits each interval of a line to the positions s on the line at which start + s · slope is not negative.
 template <class V>
 KADR_IN_LANES void clip(Swept<V>& s, const V& start, const V& slope) {
   const V at = -start / guarded(slope);
@@ -139,7 +140,8 @@ KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const V& travel_x, cons
           choose(along, choose(inside, spread<V>(missed), spread<V>(-missed)), choose(room > 0.f, middle + half, spread<V>(-missed)))};
 }
 
-/// Returns the interval of a line that is inside a circle about the tool's axis, that is, inside a cylinder of unlimited height.
+/// Returns the interval of a line that is inside a cylinder of unlimited height about the tool's axis. The line is given by the point (x,
+/// y) and the direction h.
 template <class V>
 KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const Heading& h, float radius) {
   if (h.along_axis()) {
@@ -225,7 +227,8 @@ KADR_IN_LANES Swept<V> in_shifted_outline(const TiltedLines<V>& l, const Vec3Of<
   const Heading& e = l.heading;
   const PathPast<V>& p = l.past;
   const V ux = p.travel.x * p.per_flat, uy = p.travel.y * p.per_flat;
-  // A point is level with the outline at the fraction t (0 to 1) of the path at which the point is exactly to the side of the axis.
+  // The outline of the cylinder, as seen along the path, passes a point when the point is exactly to the side of the axis. This happens at
+  // the fraction `part` (0 to 1) of the path.
   const V part = (at.x * ux + at.y * uy) * p.per_flat, part_slope = (e.x * ux + e.y * uy) * p.per_flat;
   const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
   const V height = at.z - part * p.travel.z, height_slope = e.z - part_slope * p.travel.z;
@@ -236,7 +239,7 @@ KADR_IN_LANES Swept<V> in_shifted_outline(const TiltedLines<V>& l, const Vec3Of<
   return where((s.from <= s.to) & p.moves_flat, s.from, s.to);
 }
 
-/// Does the same as in_shifted_outline(), for a cone.
+/// Returns the interval of each line that the outline of a cone sweeps; in_shifted_outline() does the same for a cylinder.
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_cone_outline(const TiltedLines<V>& l, const Vec3Of<V>& at, const Frustum& f, float widens) {
   const Heading& e = l.heading;
@@ -244,7 +247,8 @@ KADR_IN_LANES Swept<V> in_shifted_cone_outline(const TiltedLines<V>& l, const Ve
   const V ux = p.travel.x * p.per_flat, uy = p.travel.y * p.per_flat, one = spread<V>(1.f);
   const V facing = p.travel.z * p.per_flat * widens, cosine_square = one - facing * facing, cosine = root(cosine_square);
   const V per = p.per_flat / most(cosine_square, spread<V>(shortest_path));
-  // The outline is at the fraction t (0 to 1) of the path at which along - facing * radius(height) = 0.
+  // The outline of the cone passes a point at the fraction `part` (0 to 1) of the path at which along - facing · radius(height) = 0. Here
+  // `along` is the distance of the point from the axis, measured along the path.
   const V radius = spread<V>(f.low_radius) + (at.z - f.low) * widens;
   const V part = (at.x * ux + at.y * uy - facing * radius) * per, part_slope = (e.x * ux + e.y * uy - facing * (e.z * widens)) * per;
   const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
@@ -258,8 +262,8 @@ KADR_IN_LANES Swept<V> in_shifted_cone_outline(const TiltedLines<V>& l, const Ve
   return where((s.from <= s.to) & p.moves_flat & (cosine_square > shortest_path), s.from, s.to);
 }
 
-/// Marks the lines that may come nearer to the axis than `radius`. All other lines stay on one side of the axis, and farther away than
-/// `radius`, during the whole path.
+/// Marks the lines whose distance from the tool's axis may be less than `radius` at some position on the path. A line that is not marked
+/// stays on one side of the axis and farther away than `radius`.
 template <class V>
 KADR_IN_LANES MarksOf<V> come_near(const TiltedLines<V>& l, const Vec3Of<V>& at, float radius) {
   const Heading& h = l.heading;

@@ -6,10 +6,10 @@
 
 namespace kadr {
 
-/// Marks lines that meet two conditions. `end`, an end of the swept interval, is also an end of the interval inside the cylinder in the
-/// given pose (at the start or the end of the path). And the line crosses the cylinder's surface there at an angle much greater than the
-/// tool's turn.
-///   half  half the edge length of the brick in mm, because the positions in poses are relative to the brick's middle
+/// Marks the lines for which an end of the swept interval is certain. Two conditions must be met: `end` is also an end of the interval
+/// inside the cylinder in the given pose (at the start or the end of the path), and the line crosses the cylinder's surface at this point
+/// at an angle much greater than the tool's turn.
+///   half   half the edge length of the brick in mm, because the positions in poses are relative to the brick's middle
 ///   steep  sine of the least angle that is steep enough
 template <class V>
 KADR_IN_LANES MarksOf<V> meets_steeply(const Pose<V>& pose, const V& end, bool is_from, float half, float radius, float steep) {
@@ -35,9 +35,10 @@ KADR_IN_LANES MarksOf<V> TiltedCutter::is_where_flat(const TiltedFamily<V>& all,
                                             : missed));
 }
 
-/// Marks lines of which the tool may sweep more than the computed interval. An end was computed with the shift that belongs to the position
-/// of this end; at a position x mm farther out, this shift has an error of x · turn / 2. The intersection with a slightly larger body shows
-/// the angle between the surface and the line: if the surface is steeper than this error, the tool cannot reach a position farther out.
+/// Marks lines of which the tool may sweep more than the computed interval. Each end of the interval was computed with the shift that
+/// belongs to this end; for a position x mm farther out, the true shift differs by x · turn / 2. A second intersection, with a slightly
+/// larger body, shows the angle between the surface and the line. If the surface is steeper than the shift can change, the tool cannot
+/// reach a position farther out, and the line is not marked.
 template <class V, TiltedBody::Kind kind>
 KADR_IN_LANES MarksOf<V> TiltedCutter::may_reach_farther(const TiltedFamily<V>& all, int family, const TiltedRow<V>& line,
                                                          const Swept<V>& swept, const Swept<V>& material) const {
@@ -80,7 +81,8 @@ KADR_IN_LANES MarksOf<V> TiltedCutter::may_reach_farther(const TiltedFamily<V>& 
     farther = misses & meet(Swept<V>{even.from + half_, even.to + half_}, material) &
               (least(even.to, spread<V>(half_)) - most(even.from, spread<V>(-half_)) > most_off);
   }
-  // If even the larger body does not contain the end, the search for this end has failed, and the line is marked.
+  // If even the slightly larger body does not contain an end of the computed interval, the search for this end has failed, and the line is
+  // marked.
   const auto look_at = [&](const MarksOf<V>& open, const V& end, bool is_from) {
     if (!any(open)) return;
     const Swept<V> larger = with_shift_at(end);

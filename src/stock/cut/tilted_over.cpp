@@ -1,5 +1,5 @@
-// Finds lattice lines over which the surface of a tilted tool may turn. Used by stock/cut/tilted_cut; tested by
-// tests/stock/tilted_graze_test.
+// Finds lattice lines that nearly lie in the surface of a tilted tool, so that the turning tool may sweep two separate intervals of them.
+// Used by stock/cut/tilted_cut; tested by tests/stock/tilted_graze_test.
 
 #include "stock/cut/tilted_over.h"
 
@@ -11,8 +11,8 @@
 namespace kadr {
 namespace {
 
-/// Returns true if a line may touch the side of the frustum where the curvature of the side along the line is less than `bent` (1/mm). The
-/// cosine of the angle between the line and the tool's axis is between `least` and `most`.
+/// Returns true if a lattice line may touch the side of the frustum at a point where the side, measured along the line, has a curvature of
+/// less than `bent` (1/mm). `least` and `most` are the limits of the cosine of the angle between the line and the tool's axis.
 bool is_flat_along(const Frustum& f, float least, float most, float bent) {
   if (!(f.high > f.low)) return false;
   const float tall = f.high - f.low, wide = f.high_radius - f.low_radius, cosine = tall / std::sqrt(tall * tall + wide * wide);
@@ -29,8 +29,8 @@ TiltedOver::TiltedOver(const TiltedSweep& s, const TiltedBody& body, float edge)
   apart = 4 * over_allowed / turn;
   const bool faces = has_flat_face(s, body);
   const float bent = turn * turn / (8 * over_allowed);
-  // The height follows from the sine of the angle along the corner radius, measured from the lower face; 0.01 mm is a margin for the error
-  // of an interval's end.
+  // The corner radius is flat enough for a line to lie in its surface only below the height edge_below. This height follows from the sine
+  // of the angle along the corner radius, measured from the lower face; 0.01 mm is a margin for the error of an interval's end.
   const float sine = std::min(bent * (body.flat + body.corner), 1.f);
   edge_below = body.low() + body.corner * (1 - std::sqrt(1 - sine * sine)) + 0.01f;
   for (int d = 0; d < 3; ++d) {

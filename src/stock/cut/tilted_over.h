@@ -25,8 +25,8 @@ namespace kadr {
 /// Accepted error in mm where the part of a line between two swept intervals is removed too.
 inline constexpr float over_allowed = 2e-4f;
 
-/// The families of lines for which a cut must check whether the surface turns over lines. Usually the curvature k is so great that no check
-/// is needed.
+/// The families of lattice lines for which a cut must check whether the tool's surface turns over lines. Usually the curvature of the
+/// surface is so great that no check is needed.
 struct TiltedOver {
   TiltedOver() = default;
   TiltedOver(const TiltedSweep& sweep, const TiltedBody& body, float edge);

@@ -61,8 +61,8 @@ KADR_IN_LANES MarksOf<V> are_turned_over(const TiltedOver& over, int family, con
   MarksOf<V> turned = sought.from < sought.to;
   if (!any(turned)) return turned;
   turned = turned & ~turned;
-  // The side of the shaft counts as unlimited in height: a line that, in an end pose, meets the side beyond a face of the body meets the
-  // body itself at another position on the path.
+  // The side of the shaft counts as unlimited in height. If a line meets this unlimited side above or below the body in an end pose, it
+  // meets the body itself at another position on the path.
   if (by.by_shaft) {
     const float radius = body.shaft.low_radius;
     const auto in = [&](const LineAtEnd<V>& l) { return in_circle(l.at.x, l.at.y, l.heading, radius); };

@@ -14,7 +14,7 @@ constexpr double opposite = 1e-9;         // two unit vectors count as opposite 
 // On a chord this short, an even motion along the chord replaces the even turn, with an error of at most 1e-6 of the chord.
 constexpr double small_chord = 0.02;
 
-/// Returns the length of a vector. The function uses only the square root, which every library rounds alike.
+/// Returns the length of a vector with the square root as the only library function, because every library rounds the square root alike.
 double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
 Vec3 unit_by_root(Vec3 v) { return (1 / size_of(v)) * v; }
 
@@ -37,8 +37,8 @@ class Carry {
 
 }  // namespace
 
-/// Returns the angle in radians by which the tool turns. A short chord is converted by the series of 2 asin(chord / 2); for a longer chord,
-/// the result is an upper bound.
+/// Returns the angle in radians by which the tool turns on the path. Here `chord` is the distance between the two unit vectors of the
+/// direction. For a short chord the series of 2 asin(chord / 2) is used; for a longer chord the result is an upper bound.
 double TiltedPath::turn() const {
   const double chord = size_of(to_direction - from_direction), square = chord * chord;
   return chord < 0.5 ? chord * (1 + square * (1 / 24.0 + square * (3 / 640.0 + square * 5 / 7168.0))) : chord * pi / 2;

@@ -14,17 +14,19 @@ namespace kadr::lanes {
 /// The lines of a family, in the tool's coordinates in the pose half way along the path.
 template <class V>
 struct TiltedFamily {
-  TiltedLines<V> even;  // the lines; all have the shift of the brick's middle
-  Heading first, last;  // direction of the lines in the end poses
-  /// Signed distance of a line from the tool's axis times the sine of the angle between the line and the axis: `aside` for the line through
-  /// the brick's middle, and the change of this product per mm of lane and per mm of row. `reach` bounds the absolute value of the product
-  /// for lines that come near the tool.
+  TiltedLines<V> even;  // The lines, as if all points of the brick moved past the tool like the middle of the brick.
+  Heading first, last;  // direction of the lines in the poses at the start and the end of the path
+  /// The product of two numbers: the signed distance of a line from the tool's axis, and the sine of the angle between the line and the
+  /// axis. `aside` is the product for the line through the brick's middle; aside_lane and aside_row are its change per mm across the lines.
+  /// For lines that come near the tool, the absolute value of the product is at most `reach`.
   float aside, aside_lane, aside_row, reach;
 };
 /// Eight lattice lines of a family, and their intervals in the end poses.
 template <class V>
 struct TiltedRow {
-  Vec3Of<V> at, shift;    // middle points of the lines, and their shift; `at` is half way between the chord and the true curve
+  // `at`: the middle points of the lines half way along the path, half way between their true curve and its chord; `shift`: the motion of
+  // these points past the tool.
+  Vec3Of<V> at, shift;
   Vec3Of<V> first, last;  // middle points of the lines in the end poses
   Swept<V> at_ends;       // intervals of the lines inside the tool in the end poses
 };
@@ -33,7 +35,8 @@ template <class V>
 struct Pose {
   Vec3Of<V> at;  // middle point of each lattice line
   Heading heading;
-  Swept<V> side, in;  // side: interval inside the cylinder of unlimited height; in: interval inside the cylinder itself
+  // side: interval of the line inside the cylinder if its height were unlimited; in: interval inside the cylinder itself.
+  Swept<V> side, in;
 };
 
 template <class V>
@@ -49,8 +52,8 @@ template <class V>
 struct PastTool {
   Vec3Of<V> shift, grows;  // shift of the line's middle point, and the change of this shift per mm along the line
   float radius;            // radius of the cylinder, mm
-  float steep;             // sine of the angle between line and face (or side) above which the tool's turn has no influence
-  float bend;              // distance in mm by which the paths of the points may deviate from straight lines
+  float steep;  // Sine of an angle: if a line meets a face or the side at a greater angle, the turn of the tool has no influence.
+  float bend;   // distance in mm by which the paths of the points may deviate from straight lines
 };
 
 /// Marks lines whose entry or exit point at `place` is moving out of the cylinder, as the tool moves along its path (`forth` 1) or back

@@ -54,8 +54,8 @@ inline constexpr float on_surface = 5e-5f;  // limit in mm: a point whose distan
 /// radius `flat` and is above the height `middle`.
 template <class V>
 struct FromShaft {
-  V sideways, below;  // horizontal and vertical component in mm: `sideways` is at least 0, `below` is at most 0
-  V out_x, out_y;     // unit vector in the direction of `sideways`
+  V sideways, below;  // Components of the vector in mm: `sideways` is horizontal and at least 0; `below` is vertical and at most 0.
+  V out_x, out_y;     // horizontal unit vector in the direction of `sideways`
 };
 template <class V>
 KADR_IN_LANES FromShaft<V> from_shaft(const TiltedLines<V>& l, const TiltedBody& b, const Vec3Of<V>& place, const V& t) {
@@ -64,8 +64,8 @@ KADR_IN_LANES FromShaft<V> from_shaft(const TiltedLines<V>& l, const TiltedBody&
   return {most(radius - b.flat, spread<V>(0.f)), least(at.z - b.middle, spread<V>(0.f)), at.x * per, at.y * per};
 }
 
-/// Finds one end of the interval in which the line is at most `corner` mm away from the cylinder of FromShaft. The iteration starts outside
-/// the body. `sign` is the outward direction along the line, 1 or -1.
+/// Finds one end of the interval of a line inside a bull-nose body, that is, inside the points at most `corner` mm away from a cylinder
+/// (see FromShaft). The iteration starts outside the body. `sign` is the outward direction along the line, 1 or -1.
 template <class V>
 KADR_OWN_FUNCTION V end_of_rounded(const TiltedLines<V>& l, const TiltedBody& b, const Vec3Of<V>& at, const MarksOf<V>& sought,
                                    const V& start, float sign) {
@@ -93,7 +93,8 @@ KADR_OWN_FUNCTION V end_of_rounded(const TiltedLines<V>& l, const TiltedBody& b,
     const FromShaft<V> from = from_shaft(l, b, here, t);
     const V far = square_root(from.sideways * from.sideways + from.below * from.below), distance = far - b.corner;
     V grows = from.sideways * (from.out_x * e.x + from.out_y * e.y) + from.below * e.z;
-    // If the top of the body limits the section of the path, this limit changes with the position on the line, and so does the distance.
+    // Where the top of the body limits the section of the path, the nearest position on the path changes with the position on the line.
+    // This change adds to the slope of the distance.
     const V towards = from.sideways * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up;
     const MarksOf<V> held = ~level & choose(rises, begins & (bound > 0.f), ends & (bound < length));
     grows = grows - choose(held, towards * e.z * per_up, none);
@@ -136,8 +137,8 @@ template <class V, TiltedBody::Kind kind>
 KADR_OWN_FUNCTION Swept<V> tilted_at_ends(const TiltedLines<V>& l, const TiltedBody& b, const TiltedPosition<V>& at) {
   if constexpr (kind == TiltedBody::Kind::cylinder) return in_frustum_at_ends<V, Side::straight>(l, at, b.shaft);
   if constexpr (kind == TiltedBody::Kind::rounded) {
-    // The end poses of cylinders inside the body are used: without the turn, a line that nearly lies in the side or a flat face of a
-    // cylinder could seem to leave the cylinder in the wrong direction.
+    // For the two cylinders inside a bull-nose body, the true poses at the ends of the path are used. Without the turn, a line that nearly
+    // lies in the side or a flat face of a cylinder could seem to leave the cylinder in the wrong direction.
     const Frustum core{b.middle - b.corner, b.shaft.high, b.flat, b.flat};
     Swept<V> s{spread<V>(missed), spread<V>(-missed)};
     if (b.flat > 0) s = either(s, in_frustum_at_ends<V, Side::straight>(l, at, core));
@@ -154,8 +155,9 @@ KADR_IN_LANES Swept<V> tilted_between(const TiltedLines<V>& l, const TiltedBody&
   return b.shaft.high > b.shaft.low ? either(end, in_frustum_between<V, Side::straight>(l, at.at, b.shaft, {false, near.high})) : end;
 }
 
-/// Returns the intervals in the end poses as if the tool only shifted. They differ from the intervals in the true poses by the bend of the
-/// path. The computation of what the body sweeps between the poses starts from these intervals.
+/// Returns the intervals of lines inside the body at the start and the end of the path, as if the tool shifted without turning. They differ
+/// from the intervals in the true poses by the bend of the path. The computation of what the body sweeps between the poses starts from
+/// these intervals.
 template <class V, TiltedBody::Kind kind>
 KADR_IN_LANES Swept<V> shifted_at_ends(const TiltedLines<V>& l, const TiltedBody& b, const Vec3Of<V>& at) {
   return tilted_at_ends<V, kind>({l.heading, l.heading, l.heading, l.past}, b, {at, at, plus(at, spread<V>(-1.f), l.past.travel)});

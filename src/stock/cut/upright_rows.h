@@ -74,8 +74,8 @@ KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const O
   return place;
 }
 
-/// Returns the distance, in the XY plane, between two positions on the path: the one at which a cone is nearest to a line, and the one at
-/// which the cone is lowest over the line. The result is per mm of the nearest distance between the cone's axis and the line.
+/// While a cone moves along a sloping path, it is lowest over a lattice line not where its axis is nearest to the line, but some distance
+/// along the path from there. Returns this distance in the XY plane, per mm of the nearest distance between the axis and the line.
 inline float cone_lag(const LocalSweep& s, const SweptBody& b) {
   const float steep = std::fabs(s.direction[2]) * s.per_flat * b.widens;
   return steep < 1.f ? steep / std::sqrt(std::max(1.f - steep * steep, nearly_none)) : missed;

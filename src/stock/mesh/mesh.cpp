@@ -8,7 +8,8 @@
 
 namespace kadr {
 double volume_of(const Mesh& mesh) {
-  const Vec3 middle = mesh.points.empty() ? Vec3{} : mesh.point(0);  // a reference point near the mesh loses fewer digits than the origin
+  // Reference point of the mesh itself: with the origin, which may be far away, more digits would be lost.
+  const Vec3 middle = mesh.points.empty() ? Vec3{} : mesh.point(0);
   double six = 0;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const Vec3 a = mesh.corner(t, 0) - middle, b = mesh.corner(t, 1) - middle, c = mesh.corner(t, 2) - middle;

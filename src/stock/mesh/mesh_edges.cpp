@@ -1,4 +1,5 @@
-// Sorts the edges by the numbers of their end points. Used by stock/mesh/mesh_repair and tests.
+// Lists the edges of a mesh, sorted by the numbers of their end points, so that all uses of an edge are consecutive. Used by
+// stock/mesh/mesh_repair and tests.
 
 #include "stock/mesh/mesh_edges.h"
 

@@ -1,5 +1,5 @@
-// Sorts the triangles of a mesh into a grid of squares in the plane across the lines. Used by stock/blank/mesh_blank and
-// stock/mesh/mesh_repair.
+// Sorts the triangles of a mesh into the squares of a grid in the plane across the lines, so that a line is intersected only with the
+// triangles of its square. Used by stock/blank/mesh_blank and stock/mesh/mesh_repair.
 
 #include "stock/mesh/mesh_index.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-// Greatest mean number of squares per triangle: if long triangles cross more squares, a coarser grid is used.
+// Greatest mean number of grid squares that contain the same triangle. If long triangles cross more squares, a coarser grid is used.
 constexpr double max_entries = 6;
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace kadr {
 
 class MeshIndex {
  public:
-  /// Stores a reference to the mesh, and at most 28 bytes per triangle.
+  /// Builds the index for lines along the axis `family`. The object stores a reference to the mesh, and at most 28 bytes per triangle.
   MeshIndex(const Mesh& mesh, int family);
   /// Appends the hits of a line in no particular order. u, v: positions of the line along the axes (family + 1) % 3 and (family + 2) % 3.
   void hits(double u, double v, std::vector<MeshHit>& hits) const;

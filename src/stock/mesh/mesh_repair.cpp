@@ -85,7 +85,8 @@ bool Repair::turn_to_fit() {
         const std::uint32_t other = neighbours[3 * std::size_t(t) + k] / 2;
         const std::uint8_t orientation = turned[t] ^ std::uint8_t(neighbours[3 * std::size_t(t) + k] & 1);
         if (turned[other] == 2) turned[other] = orientation, open.push_back(other);
-        else if (turned[other] != orientation) return false;  // the surface has only one side, as a Möbius strip has
+        // No orientation fits, because the surface has only one side, as a Möbius strip has.
+        else if (turned[other] != orientation) return false;
       }
     }
   }

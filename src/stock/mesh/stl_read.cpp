@@ -43,7 +43,8 @@ ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector
   return mesh;
 }
 
-/// Formats a word of the file for a message, in quotation marks. An empty word means the end of the file; the result is then a phrase.
+/// Formats a word of the file for a message, in quotation marks. An empty word means that the file has ended; the result is then a phrase
+/// for the end of the file.
 std::string word_shown(std::string_view word) { return word.empty() ? translated(texts::mesh_file::end_of_file) : "'" + shown(word) + "'"; }
 
 /// Reads text STL. The format is: solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, repeated

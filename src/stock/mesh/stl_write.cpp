@@ -23,7 +23,8 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 p = b - a, q = c - a;
   const Vec3 n{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
   const double size = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-  return size > 0 ? (1 / size) * n : Vec3{};  // {}: a reader of the file computes a normal of zero from the corners
+  // A triangle without area gets the normal 0, because a reader of the file then computes the normal from the corners.
+  return size > 0 ? (1 / size) * n : Vec3{};
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr std::size_t max_objects = 100'000;  // greatest number of objects; also of components and build items together
+// Greatest number of objects in a model; also the greatest number of components and build items together, which are references to objects.
+constexpr std::size_t max_objects = 100'000;
 
 struct Unit {
   std::string_view name;

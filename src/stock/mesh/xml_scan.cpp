@@ -121,7 +121,7 @@ struct XmlScan::Parser {
   XML_Parser parser = nullptr;
   std::string_view text;
   std::size_t handed = 0, open = 0, refused_at = 0;
-  std::deque<Element> waiting;  // a queue, because the begin and the end of an empty element arrive together
+  std::deque<Element> waiting;  // elements that wait for next(): the begin and the end of an empty element arrive together
   Element now;
   std::string fault;
 };

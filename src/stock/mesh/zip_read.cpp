@@ -16,7 +16,8 @@ constexpr std::size_t end_bytes = 22, entry_bytes = 46, local_bytes = 30, longes
 constexpr std::uint32_t end_mark = 0x06054b50, entry_mark = 0x02014b50, local_mark = 0x04034b50;
 constexpr std::uint32_t end64_mark = 0x06064b50, locator64_mark = 0x07064b50;
 constexpr std::size_t end64_bytes = 56, locator64_bytes = 20;
-constexpr std::uint64_t in_zip64 = 0xffffffff;  // a number with this value is stored with eight bytes in the ZIP64 record instead
+// A four-byte number of this value means that the true number is stored with eight bytes in the ZIP64 record.
+constexpr std::uint64_t in_zip64 = 0xffffffff;
 constexpr std::size_t max_files = 10'000;
 constexpr std::uint16_t stored = 0, deflated = 8, has_password = 1;
 
@@ -40,7 +41,7 @@ std::size_t end_of_directory(std::string_view archive) {
 }
 
 struct Directory {
-  std::uint64_t count, first;  // number of files in the archive; position of the first entry of the directory
+  std::uint64_t count, first;  // count: number of files in the archive; first: position of the first entry of the directory, in bytes
 };
 
 /// Finds the directory of the archive. The position of the directory is read from the ZIP64 record too, because some programs write
@@ -53,8 +54,8 @@ Directory directory_at(std::string_view archive, std::size_t end) {
   return {le_number(archive, std::size_t(at) + 32, 8), le_number(archive, std::size_t(at) + 48, 8)};
 }
 
-/// Reads the sizes and the position of an entry that do not fit into four bytes. The extra fields of the entry contain these numbers in the
-/// order of the loop below.
+/// Reads the numbers of an entry that do not fit into four bytes. The ZIP64 record in the extra fields contains only these numbers, in the
+/// order: unpacked size, packed size, position of the local header.
 void take_zip64(std::string_view extra, ZipEntry& entry) {
   for (std::size_t at = 0; at + 4 <= extra.size();) {
     const std::size_t size = std::size_t(le_number(extra, at + 2, 2));

@@ -127,7 +127,9 @@ class NearestTriangle::Search {
   std::uint32_t asked_for_[3 + in_block];
   int count_ = 0;  // number of triangles that wait in asked_for_
   int waiting_ = 0;
-  Waiting stack_[128];  // the depth is at most 11, because 2³¹ triangles are divided by eight; at most seven nodes wait at each level
+  // Nodes that wait for the search. The tree has at most 11 levels, because 2³¹ triangles are divided by eight at each level, and at most
+  // seven nodes wait at each level.
+  Waiting stack_[128];
 };
 
 /// Returns the squared distances in mm² of the point from four boxes.
@@ -207,7 +209,7 @@ inline void NearestTriangle::Search::open(const Node& node) {
   if (waiting < first + 2) return;
   int nearest = first;
   for (int i = first + 1; i < waiting; ++i) nearest = stack_[i].square < stack_[nearest].square ? i : nearest;
-  std::swap(stack_[nearest], stack_[waiting - 1]);  // this puts the nearest child on top of the stack, so the search visits it first
+  std::swap(stack_[nearest], stack_[waiting - 1]);  // the swap puts the nearest child on top of the stack, so the search visits it first
 }
 
 void NearestTriangle::Search::all() {

@@ -38,7 +38,7 @@ class NearestTriangle {
   void put_blocks(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size_t node);
   void put_boxes(std::size_t node, std::size_t first_child, std::size_t last_child);
 
-  float pad_ = 0;            // enlargement of the boxes in mm
+  float pad_ = 0;            // enlargement of the boxes in mm, because of rounding errors
   std::vector<Node> nodes_;  // nodes sorted by level, the lowest level first; the root is the last node
   /// Blocks in the order of stock/part/near_groups; an incomplete last block is filled with copies of the last triangle.
   std::vector<FourTriangles> blocks_;

@@ -19,10 +19,12 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t points_at_once = 1024;
-// Limit in mm: a segment counts as a numerical error, on a line along a wall, if all its points are closer to the part's surface than this.
+// Limit in mm: on a line along a wall of the part, rounding errors may look like a difference. A segment counts as such an error if all its
+// points are closer to the part's surface than this limit.
 constexpr double same_surface = 2e-3;
 constexpr double step_of_cell = 0.5;  // distance, in lattice cells, between the points of a segment at which the depth is measured
-// A surface point may be this many times deeper than nearby lines show, because a groove may lie between the lines.
+// Greatest ratio between the depth at a surface point and the depth that nearby lattice lines show; greater than 1, because a groove may
+// lie between the lines.
 constexpr double between_lines = 2;
 
 constexpr double bytes_of_triangle = 130;  // memory in bytes per triangle: the tree, and the triangle itself twice
@@ -55,7 +57,7 @@ struct BrickFound {
 /// The lattice of the stock, extended by the bricks that the wanted part needs.
 struct WiderLattice {
   Lattice lattice;
-  BrickPlace stock_at;  // indices of the stock's first brick in this lattice
+  BrickPlace stock_at;  // indices of the stock's first brick in the extended lattice
 };
 
 WiderLattice wider_lattice(const Lattice& own, const Box3& blank, const Box3& part) {

@@ -20,9 +20,10 @@ struct PartOffence {
 };
 
 struct PartComparison {
-  PartOffence left_on;           // material that was left outside the wanted part
-  PartOffence gouged;            // regions of the wanted part without material: cut away, or missing because the blank is too small
-  std::vector<float> deviation;  // for each point of the material's surface, in mm: positive outside the wanted part, negative inside
+  PartOffence left_on;  // material that was left outside the wanted part
+  PartOffence gouged;   // regions of the wanted part without material: cut away, or missing because the blank is too small
+  // Deviation of each point of the material's surface from the wanted part in mm: positive outside the wanted part, negative inside.
+  std::vector<float> deviation;
 };
 
 /// Compares the stock with the wanted part. Volumes are exact on the lattice lines: in each brick the intervals of the material and

@@ -85,7 +85,7 @@ void PartLines::order(int family, const std::span<std::vector<Hit>>& found, cons
   std::vector<MeshHit> ordered(next.back());
   for (std::vector<Hit>& hits : found) {
     for (const Hit& h : hits) ordered[next[h.line]++] = {h.place, h.turn, h.triangle};
-    hits = std::vector<Hit>();  // frees the memory of these hits at once
+    hits = std::vector<Hit>();  // frees the memory of the copied hits before the next list of hits is copied
   }
   Family& all = families_[std::size_t(family)];
   all.first.assign(next.size(), 0);
@@ -116,7 +116,8 @@ std::span<const LineRange> PartLines::of(BrickPlace brick, int family, int line)
 /// seen along the axis, contains lattice cells. For a triangle that extends out of the lattice, the part of its bounding rectangle inside
 /// the lattice is used instead.
 double PartLines::bytes(const Mesh& solid, const Lattice& lattice) {
-  constexpr double bytes_of_hit = 2 * (sizeof(Hit) + sizeof(MeshHit));  // a vector may reserve twice the memory of its content
+  // The factor 2 is needed because a vector may reserve twice the memory of its content.
+  constexpr double bytes_of_hit = 2 * (sizeof(Hit) + sizeof(MeshHit));
   double hits = 0;
   for (std::size_t t = 0; t < solid.triangle_count(); ++t) {
     const Vec3 a = solid.corner(t, 0), b = solid.corner(t, 1), c = solid.corner(t, 2), normal = cross(b - a, c - a);

@@ -60,7 +60,8 @@ PointSquares::PointSquares(const std::vector<float>& places) {
   points.resize(count);
   for (std::size_t i = count; i-- > 0;)
     points[--first[square(i) + 1]] = {places[3 * i], places[3 * i + 1], places[3 * i + 2], std::uint32_t(i)};
-  first.erase(first.begin());  // each element has become the index of the first point in its square
+  // Element i + 1 of `first` is now the index of the first point in square i, so the first element is removed.
+  first.erase(first.begin());
   first.push_back(std::uint32_t(count));
 }
 

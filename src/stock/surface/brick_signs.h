@@ -16,7 +16,7 @@ struct BricksAround {
   BricksAround(const Stock& stock, BrickPlace place);
   std::array<Stock::State, 8> state;
   std::array<const Brick*, 8> brick;
-  bool same;  // true if all eight bricks are empty, or all are full: no surface is between them
+  bool same;  // true if the brick and its seven neighbours are all empty or all full, so that no surface is between them
 };
 
 /// One bit per lattice point; 1 means material. The bits are grouped in columns along Z, with the lowest point in bit 0. Only the intervals

@@ -56,7 +56,8 @@ std::array<double, 3> CellVertex::place(const std::array<double, 3>& low, double
   std::array<double, 3> at = centre;
   const double turns = normals_[0] * normals_[0] + normals_[1] * normals_[1] + normals_[2] * normals_[2];
   const bool smooth = turns > smooth_mean * smooth_mean * count_ * count_;
-  for (int round = 0; round < (smooth ? 2 : 4); ++round) {  // each iteration reduces the influence of the mean of the crossings
+  // Each iteration reduces the influence of the mean of the crossings on the vertex.
+  for (int round = 0; round < (smooth ? 2 : 4); ++round) {
     const std::array<double, 3> there = planes.times(at);
     const std::array<double, 3> step = inverse.times({right_[0] - there[0], right_[1] - there[1], right_[2] - there[2]});
     for (std::size_t d = 0; d < 3; ++d) at[d] += step[d];

@@ -14,7 +14,8 @@ struct LineEnd {
   float at;
   std::int32_t by;
   bool found = false;
-  // True if the end is between a full and an empty brick, inside the blank: neither brick stores the sweep that cut there.
+  // True if the end of a material interval is between a full and an empty brick, inside the blank: neither of these bricks stores the
+  // number of the sweep that cut there.
   bool seam = false;
 };
 
@@ -134,7 +135,9 @@ void Crossings::Finder::find_sweeps_near() {
   const double room = double(cell), reach = double(edge) + room;
   stock.each_sweep([&](std::size_t i, const KeptSweep& s) {
     const ToolExtent& tool = extents[s.tool];
-    bool near = !stock.tool(s.tool).turns();  // sweeps of turning tools are not searched, so ends between bricks keep of_blank
+    // Sweeps of turning tools are not searched, so an end of an interval between two bricks keeps the number of_blank, as if no sweep had
+    // cut there.
+    bool near = !stock.tool(s.tool).turns();
     // Extent of the tool for any direction of its axis.
     const double anywhere = std::max({tool.widest, std::fabs(tool.bottom), std::fabs(tool.top)}) + tool.widest;
     for (int d = 0; d < 3 && near; ++d) {
@@ -204,8 +207,8 @@ void Crossings::take(const Stock& stock, const std::vector<ToolFaces>& tools, st
   for (const LatticeEdge& e : lost_) mend(e, signs);
 }
 
-/// Completes a crossing for which no interval ends on the lattice line. A line that lies in a surface may be cut away although the lines
-/// along Z close to it are not. In this case the crossing of an adjacent cell edge, with material on the same side, is used.
+/// Completes a crossing on whose lattice line no interval of material ends. A line that lies in a surface may be cut away although the
+/// lines along Z close to it are not cut away. In this case the crossing of an adjacent cell edge, with material on the same side, is used.
 void Crossings::mend(const LatticeEdge& e, const BrickSigns& signs) {
   const std::size_t f = std::size_t(e.family);
   const auto sign = [&](const std::array<int, 3>& p) { return signs.at(p[0], p[1], p[2]); };

@@ -84,7 +84,7 @@ struct PlaceSeen {
 
 struct Touching {
   double distance;
-  Vec3 normal;  // points outward from the tool
+  Vec3 normal;  // outward unit normal of the tool's face nearest to the point
 };
 
 /// Returns the distance of the point from the body, with the tool at the fraction `part` of the path, and the normal of the nearest face. A

@@ -43,11 +43,11 @@ struct CutPlace {
   bool leaves;  // true if the line leaves the material at this point, false if the line enters the material
 };
 
-/// Returns true if the sweep has cut a surface at this point, and the lattice line crosses this surface.
+/// Returns true if the sweep has cut a surface at the crossing `place`, and the lattice line crosses this surface.
 ///   ends  directions of the tool; nullptr if the tool is not tilted
 bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends = nullptr);
 
-/// Returns the outward normal of the remaining material at this point.
+/// Returns the outward normal of the remaining material at the crossing `place`.
 Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends = nullptr);
 
 }  // namespace kadr

@@ -34,7 +34,7 @@ class Decimation {
   };
   struct Held {
     std::uint32_t point;
-    std::size_t by;  // index in fresh_ of the new triangle nearest to the point
+    std::size_t by;  // index in fresh_ (the triangles that a merge creates) of the triangle nearest to the point
   };
   struct Fresh {
     std::uint32_t triangle;
@@ -55,10 +55,11 @@ class Decimation {
   Vec3 point(std::uint32_t i) const { return exact_.point(i); }
 
   const Mesh& exact_;
-  std::vector<std::uint32_t> corners_;        // numbers of the three corner points of each triangle
-  std::vector<std::uint32_t> first_, count_;  // for each point: index in around_ of its first triangle, and number of its triangles
-  std::vector<std::uint32_t> around_;         // numbers of the triangles around each point
-  std::vector<std::uint32_t> holds_, next_;   // linked lists: the first point assigned to each triangle, and the point after each point
+  std::vector<std::uint32_t> corners_;  // numbers of the three corner points of each triangle
+  // For each point: number of the triangles around the point (count_), and index of the first of these triangles in the list around_.
+  std::vector<std::uint32_t> first_, count_;
+  std::vector<std::uint32_t> around_;        // numbers of the triangles around each point
+  std::vector<std::uint32_t> holds_, next_;  // linked lists: the first point assigned to each triangle, and the point after each point
   // For each point: whether it must still be tried, and whether its triangles have changed in this pass.
   std::vector<std::uint8_t> waits_, touched_;
   std::vector<std::uint32_t> mark_;  // for each point: the number of the last query that visited it

@@ -1,4 +1,5 @@
-// Computes the sheets of a lattice cell from the states of its corners. Used by stock/surface/surface.
+// Divides the surface in a lattice cell into sheets (connected parts), depending on which corners of the cell are material. Used by
+// stock/surface/surface.
 
 #include "stock/surface/sheets.h"
 
@@ -47,7 +48,7 @@ Pairs pairs_of(unsigned signs, int face, bool parts_air) {
     if (is_material(i) != is_material(i + 1))
       crossed[std::size_t(count++)] = edge_between(round[std::size_t(i)], round[std::size_t((i + 1) & 3)]);
   if (count == 2) pairs = {1, {{{crossed[0], crossed[1]}, {}}}};
-  // Edge i goes from corner i to the next corner, so corner i is between the edges i - 1 and i.
+  // Edge i goes from corner i to the next corner, so a pair that separates corner i from the other corners joins the edges i - 1 and i.
   if (count == 4 && is_material(0) != parts_air) pairs = {2, {{{crossed[3], crossed[0]}, {crossed[1], crossed[2]}}}};
   else if (count == 4) pairs = {2, {{{crossed[0], crossed[1]}, {crossed[2], crossed[3]}}}};
   return pairs;

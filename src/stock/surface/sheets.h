@@ -24,7 +24,9 @@ struct Sheets {
   std::array<std::uint8_t, cell_edges> of_edge;  // sheet of each edge; no_sheet if the surface does not cross the edge
   std::uint8_t count;
   std::uint8_t
-      doubled;  // bits of the faces whose two pairs belong to one sheet; bit 2 f + s: near (s = 0) or far (s = 1) face along axis f
+      // One bit for each face whose two pairs belong to one sheet. Bit 2 f means the face at the near end of the axis f, and bit 2 f + 1
+      // the face at the far end.
+      doubled;
 };
 
 /// Returns the sheets of a cell. `corners` has one bit per corner, 1 for material. `parts_air` has one bit per face, 1 if the pairs of the

@@ -42,7 +42,7 @@ std::uint32_t Joiner::point_of(BrickPlace brick, std::array<int, 3> cell, int ed
   std::array<int*, 3> place{&brick.x, &brick.y, &brick.z};
   for (std::size_t d = 0; d < 3; ++d)
     if (cell[d] < 0) cell[d] += brick_edge, --*place[d];
-  // The brick has a part and is in the lattice, because the corners of this cell differ.
+  // The corners of this cell differ, so the surface crosses the cell: its brick is in the lattice and has a SurfacePart.
   return parts[lattice.at(brick)]->point_of(cell, edge);
 }
 
@@ -56,7 +56,7 @@ void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to
   const int f = e.family;
   const std::size_t u = std::size_t(f + 1) % 3, v = std::size_t(f + 2) % 3;
   std::array<std::uint32_t, 4> round;
-  for (int i = 0; i < 4; ++i) {  // the cells are visited counter-clockwise about the axis of the edge
+  for (int i = 0; i < 4; ++i) {  // The four cells around a cell edge are visited counter-clockwise about the axis of the edge.
     const int before_u = i == 1 || i == 2, before_v = i >= 2;
     std::array<int, 3> cell{e.x, e.y, e.z};
     cell[u] -= before_u, cell[v] -= before_v;
@@ -69,22 +69,24 @@ void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to
   std::copy(corners.begin(), corners.end(), to);
 }
 
-/// Appends the points of a brick's part to the surface, and deletes them from the part.
+/// Appends the points of a SurfacePart (the surface in one brick) to the whole surface, and deletes them from the SurfacePart.
 void take_points(SurfacePart& part, Surface& surface) {
   part.base = std::uint32_t(surface.made_by.size());
   surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
   surface.made_by.insert(surface.made_by.end(), part.made_by.begin(), part.made_by.end());
-  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // a new vector also frees the memory
+  // Assigning a new vector also frees the memory of the points.
+  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();
 }
 
-/// Computes the parts of all bricks, and moves their points to the surface in batches, so that the points are not stored twice.
+/// Computes the SurfacePart of each brick, and moves the points to the whole surface in batches, so that the points are not stored twice.
 Parts parts_of(const Stock& stock, Surface& surface) {
   std::vector<ToolFaces> tools;
   for (std::size_t i = 0; i < stock.tools(); ++i) tools.push_back(faces_of(stock.tool(i)));
   Parts parts(stock.lattice().size());
   std::size_t cut = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) cut += stock.state(i) == Stock::State::mixed;
-  // Reserved memory costs nothing until it is used, but a vector that grows leaves freed blocks in the heap.
+  // The memory of all points is reserved in advance. Reserved memory costs nothing until it is used, but a vector that grows leaves freed
+  // blocks in the heap.
   surface.points.reserve(3 * cut * points_expected), surface.made_by.reserve(cut * points_expected);
   std::vector<PartWork> works(std::size_t(stock.threads()));
   for (std::size_t first = 0; first < parts.size(); first += bricks_at_once) {

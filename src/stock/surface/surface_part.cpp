@@ -93,7 +93,7 @@ void PartMaker::finish() {
   for (SeveralSheets& s : part.several) s.further = std::uint16_t(s.further + part.made_by.size());
   part.points.insert(part.points.end(), further_points.begin(), further_points.end());
   part.made_by.insert(part.made_by.end(), further_by.begin(), further_by.end());
-  // Frees unused memory, because all parts are stored until the whole surface is computed.
+  // Frees unused memory, because the surface parts of all bricks are stored until the whole surface is computed.
   part.points.shrink_to_fit(), part.made_by.shrink_to_fit();
   each_unlike_edge(work.signs, brick_edge - 1, [&](const LatticeEdge& e, bool leaves) {
     part.edges.push_back({std::uint16_t(e.point[0] & 15), std::uint16_t(e.point[1] & 15), std::uint16_t(e.point[2] & 15),

@@ -14,7 +14,7 @@ namespace kadr {
 
 /// A cell that contains more than one sheet of the surface.
 struct SeveralSheets {
-  std::uint16_t cell;     // 16 · (index of the cell's column along Z) + (index in the column)
+  std::uint16_t cell;     // number of the cell: 16 · (index of the cell's column along Z) + (index of the cell in the column)
   std::uint16_t further;  // number of the mesh point of the cell's second sheet
   std::array<std::uint8_t, cell_edges> of_edge;
 };

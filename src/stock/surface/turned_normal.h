@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// Returns the outward normal of the remaining material at this point.
+/// Returns the outward normal of the remaining material at the crossing `place`.
 ///   from_axis  position of the lattice's corner relative to the axis about which the part spins, mm
 Vec3 turned_normal(const KeptSweep& sweep, const ToolShape& tool, const CutPlace& place, const Vec3& from_axis);
 

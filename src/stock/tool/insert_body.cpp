@@ -42,8 +42,8 @@ InsertBody round_insert(const ToolGeometry& g) {
   return body_of(ToolPart::cutting, {disc, disc, disc}, {{-1, 0}, {half, -root}, {half, root}});
 }
 
-/// Returns the direction of a cutting edge. `from_feed` is the angle, in degrees, between the edge and the direction along z in which the
-/// tip points. The angle is measured away from the direction along x in which the tip points.
+/// Returns the direction of a cutting edge of an insert. `from_feed` is the angle, in degrees, between the edge and the direction along z
+/// in which the tip points. At a positive angle the edge points away from the direction along x in which the tip points.
 InsertPoint edge_direction(const InsertGeometry& i, double from_feed) {
   const SinCos turn = sincos_deg(from_feed);
   return {i.tip_x > 0 ? -turn.sin : turn.sin, i.tip_z > 0 ? turn.cos : -turn.cos};

@@ -136,7 +136,7 @@ struct PageSession::Inside {
   }
   bool is_memory_full() const;
   static std::string memory_full_message();
-  /// If all sessions together use too much memory, deletes the data of this session that grow, and reports this deletion to the page.
+  /// If all sessions of the server together use too much memory, reports this to the page, and ends the current work and this session.
   void end_if_memory_is_full();
   /// Makes the file paths in a list of calls relative to the served folder, because the page displays them.
   void show_files(PageJson& calls) const;
@@ -160,8 +160,8 @@ struct PageSession::Inside {
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;
   StockGuess guess;
-  std::unique_ptr<PartRun> part_run;  // nullptr if nothing has been cut yet
-  std::uint64_t page = 0;             // number of this page in the hub; 0 if the page has not displayed a machine yet
+  std::unique_ptr<PartRun> part_run;  // the run that cuts the blank; nullptr if nothing has been cut yet
+  std::uint64_t page = 0;             // number of this page in the hub of the panel machines; 0 if the page has not displayed a machine yet
   std::mutex place_lock;              // mutex for hub_machine, which another thread uses for an emergency stop
   std::shared_ptr<PanelHub::HubMachine> hub_machine;
 };

@@ -24,8 +24,8 @@ const char* name_of_mark(TimeMark::Kind kind) {
 }
 
 PageJson vec(Vec3 v) { return {v.x, v.y, v.z}; }
-/// Returns the box `exact` of the statistics if it is the same as the box `seen` in the picture; else returns `seen`. The box of the
-/// statistics is exact, but in coordinates of a work offset; the box in the picture contains chords instead of arcs.
+/// Returns the box of the path that the page displays. The box `exact` of the statistics is exact, but in coordinates of a work offset; the
+/// box `seen` of the picture contains chords instead of arcs. So the result is `exact` if the two boxes agree, else `seen`.
 Box shown_box(const Box& exact, const Box& seen) {
   constexpr double alike = 0.01;  // limit in mm; it is greater than the error of the chords that replace arcs
   const Vec3 least = exact.least - seen.least, most = exact.most - seen.most;

@@ -33,7 +33,7 @@ PanelRecorder keeper_of(PanelJournal& journal, const std::string& name, PanelPro
     return saved ? std::string() : saved.error();
   };
   keeper.event = [&journal, name](const char* kind, const std::string& text, std::uint32_t line) {
-    // The result is ignored, because a failure to save is reported when the location is saved.
+    // A failure to save this entry is not reported here, because it is reported when the location of the machine is saved.
     (void)journal.log(name, log_entry(kind, text, line));
   };
   keeper.tables = [&journal, &program, name](const Setup& before, const Setup& after) {
@@ -65,7 +65,7 @@ std::string machine_text(const PageJson& question) {
   return dumped(saved);
 }
 
-/// Returns the saved location of a machine as JSON, without the axis positions in "stands".
+/// Returns the saved location of a machine in its program as JSON, without the axis positions (the value of the key "stands").
 PageJson spot_json(const std::string& text) {
   PageJson spot = PageJson::parse(text, nullptr, false);
   if (spot.is_object()) spot.erase("stands");
@@ -223,7 +223,7 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
   if (key != "off") return refused(translated(texts::panel_page::no_such_key, key));
-  (*machine)->switch_off();  // this call precedes the deletion of the saved data, so that the machine saves nothing afterwards
+  (*machine)->switch_off();  // The machine is switched off before its saved data are deleted, so that it saves nothing afterwards.
   note("off", {}, 0);
   const auto forgotten = server.journal->forget(hub_machine->name);
   server.hub->remove(hub_machine->name);

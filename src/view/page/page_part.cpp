@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t max_fixtures = 100;
 constexpr std::size_t max_tools_files = 32;                        // greatest number of tools files that are read for proposals
-constexpr std::uint64_t max_tools_bytes = std::uint64_t{1} << 20;  // greatest size in bytes of each of these tools files
+constexpr std::uint64_t max_tools_bytes = std::uint64_t{1} << 20;  // greatest size in bytes of a tools file that is read for proposals
 
 /// Returns the description of a solid for body_of(). The name of a mesh file is replaced by the path of this file.
 tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const std::string& text) {
@@ -32,7 +32,8 @@ tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const Pa
     if (found->empty()) return refused(translated(texts::part_run::no_tool_given));
     PageJson list = *found;
     for (PageJson& tool : list)
-      if (tool.is_object()) tool.erase("from"), tool.erase("known");  // proposals have these two keys, which a tool must not have
+      // The keys `from` and `known` are removed, because proposals have them but a tool must not have them.
+      if (tool.is_object()) tool.erase("from"), tool.erase("known");
     auto tools = tools_of_list(dumped(list));
     if (!tools) return refused(tools.error());
     return std::move(*tools);

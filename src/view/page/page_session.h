@@ -17,11 +17,13 @@ class MemoryBound;
 class PanelJournal;
 class ServedFolder;
 
-/// Receives the output of a session. The thread that answers requests calls these functions.
+/// Connection of a session to its page. The client (server/connection) implements these functions; the session calls them in the thread
+/// that answers requests.
 class PageLine {
  public:
   virtual ~PageLine() = default;
-  /// Sends a message to the page. Waits while too much output is unsent. Returns false if the page is closed.
+  /// A function of the client that sends a message to the page. It waits while too much output is unsent, and returns false if the page is
+  /// closed.
   virtual bool text(std::string message) = 0;
   virtual bool frame(std::string bytes) = 0;
 };
@@ -50,8 +52,8 @@ struct PageServer {
   bool all_need_token;  // true if a page without the token may not view anything either
   Lang lang = Lang::en;
   std::string version;                  // version of Kadr
-  LastOpened* last = nullptr;           // nullptr if the last opened file is not recorded
-  PanelHub* hub = nullptr;              // nullptr if the server has no operator panels
+  LastOpened* last = nullptr;           // where the last opened file is recorded; nullptr if it is not recorded
+  PanelHub* hub = nullptr;              // the operator panels of the server; nullptr if the server has no operator panels
   PanelJournal* journal = nullptr;      // saved data of the panel machines; must be set if `hub` is set
   const MemoryBound* memory = nullptr;  // memory limit for all sessions together; nullptr: no limit
 };
@@ -66,15 +68,16 @@ class PageSession {
   PageSession(const PageSession&) = delete;
   PageSession& operator=(const PageSession&) = delete;
 
-  /// Starts the work for a message. Must be called before take(), in the same order as stop() is called for the messages. The work
-  /// continues until stop(). `stopped` is true if a stop was already requested for this message; the work then ends at once.
+  /// Prepares the session for the next message; must be called before take(), in the same order as stop() is called for the messages. If
+  /// `stopped` is true, a stop was already requested for this message, and the work for the message ends at once.
   void begin(bool stopped);
   /// Answers a message, and executes what the message requests.
   ///   returns  false if too many messages were invalid, or the page is closed
   bool take(std::string_view message);
   /// Ends the current work at once. May be called from any thread.
   void stop();
-  /// Returns true if the message requests stop() and nothing else. Such a message must be passed to take() too.
+  /// Returns true if the message only requests that the current work stops. The caller must then call stop() at once, and later pass the
+  /// message to take().
   static bool asks_to_stop(std::string_view message);
   /// Returns true if the message requests an emergency stop. The caller must then call emergency() at once, from any thread.
   static bool asks_for_emergency(std::string_view message);

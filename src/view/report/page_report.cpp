@@ -1,4 +1,5 @@
-// Creates the report from JSON, path and stock. Used by cli/report_run; tested by tests/view/report_test.cpp, tests/report.py.
+// Creates the HTML report of a program from the results of the run (as JSON), the path and the stock. Used by cli/report_run; tested by
+// tests/view/report_test.cpp, tests/report.py.
 
 #include "view/report/page_report.h"
 
@@ -26,7 +27,7 @@ constexpr std::size_t max_alarms = 2000;      // greatest number of alarms in a 
 constexpr std::size_t most_called = 1 << 20;  // greatest size in bytes of the texts of all called files together
 // Greatest size in bytes of the program's text in a report; of a longer program, only the beginning is included.
 constexpr std::uint64_t max_source = 64 << 20;
-constexpr std::uint32_t piece_of_part = 3;  // code in the report for the data of the stock
+constexpr std::uint32_t piece_of_part = 3;  // number that marks the data of the stock in the data of the report
 constexpr double base64_by_bytes = 4.0 / 3;
 
 PageJson control_json(const OpenedProgram& o, Lang lang) {
@@ -125,7 +126,7 @@ PageJson sources_json(const ReportContent& c) {
   return list;
 }
 
-/// Returns a value of a frame at a byte offset.
+/// Reads a value of the type T from a binary frame, at the byte offset `at`.
 template <class T>
 T value_at(const std::string& frame, std::size_t at) {
   T value{};

@@ -12,9 +12,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t piece_of_path = 1;  // code in the report for the data of a segment of the path
+constexpr std::uint32_t piece_of_path = 1;  // number that marks a segment of the path in the data of the report
 constexpr double first_guess = 12;          // number of compressed bytes per vertex that the first attempt assumes
-// Number of attempts to come close to the limit; more attempts follow if no result is within the limit.
+// Number of attempts to come close to the greatest compressed size. More attempts follow if no result is within this size.
 constexpr int max_tries = 4;
 
 /// The thinnings of a path, from no omission to a hardly recognisable path. Vertices within blocks are omitted first, so that the end of
@@ -49,7 +49,8 @@ std::string packed_piece(const DrawnPiece& drawn, const Thinning& thinning, cons
   }
   PackedColumns to;
   to.put_u32(std::uint32_t(vertices.size()));
-  to.put_u32(drawn.which), to.put_u32(0);  // number of the path, and number of the channel
+  // Number of the path in the protocol, then the number of the channel (0: the program's own channel).
+  to.put_u32(drawn.which), to.put_u32(0);
   to.put_u32((piece.directions.empty() ? 0 : 1) + 2 * std::uint32_t(piece.joints()));
   to.put_u32(piece.first);
   to.put_f64(piece.begins);

@@ -18,10 +18,11 @@ struct ReportQuanta {
   double position = 1e-4;  // unit of joint positions, degrees or mm
 };
 
-/// Defines which vertices are omitted: the vertices whose PathVertex::level, set by set_levels(), is less than the following levels.
+/// A rule that omits vertices of a path: a vertex is omitted if its level of detail (PathVertex::level, set by set_levels()) is less than
+/// the least level that this rule permits.
 struct Thinning {
-  int inner = 0;  // least level of a vertex that is not omitted, if the next vertex belongs to the same block
-  int any = 0;    // least level of any vertex that is not omitted
+  int inner = 0;  // least level of a vertex that is kept inside a block, that is, if the next vertex belongs to the same block
+  int any = 0;    // least level of any vertex that is kept, also of the last vertex of a block
   /// Returns the greatest distance in mm by which the path may deviate because of the omitted vertices.
   double off() const;
 };
@@ -29,7 +30,7 @@ struct Thinning {
 /// A segment of a path, and the number of this path (docs/panel-protocol.md).
 struct DrawnPiece {
   const ViewPiece* piece;
-  std::uint32_t which;  // 0: the path of the tool; 2: the contour as programmed
+  std::uint32_t which;  // number of the path in the protocol; 0: the path of the tool; 2: the contour as programmed
 };
 std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<ViewPiece>& contour);
 
