@@ -94,7 +94,7 @@ class Canvas {
   /// True if the canvas stores the program line of each stroke. Then strokes of different lines must not be joined.
   virtual bool tags_lines() const { return false; }
   /// Sets the program line of the strokes that follow.
-  ///   file_name  name of the called file that contains the line
+  ///   file_name  name of the subprogram file that contains the line
   ///   names_it   true: the next stroke gets the id by which a viewer finds the line
   virtual void program_line(const ProgramLine& /*line*/, std::string_view /*file_name*/, bool /*names_it*/) {}
 

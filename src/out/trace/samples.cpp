@@ -45,7 +45,8 @@ void SampleWriter::write_tips(std::FILE* file, const AxisRoles& roles) {
 
 void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
   if (tip_file_ == nullptr) return;
-  if (!places_.empty()) {  // usually only the position has changed since the last motion, so the last ToolPlace still applies
+  // Usually the work coordinates and the tool length are the same as on the last motion, so the last ToolPlace still applies.
+  if (!places_.empty()) {
     const ToolPosition& last = places_.back().from;
     bool same = last.space == from.space && last.turn == from.turn;
     for (std::size_t a = 0; same && a < axes_ && (!from.space || !from.space->has_rotary()); ++a)
@@ -103,7 +104,7 @@ bool SampleWriter::play() {
 }
 
 void SampleWriter::take(const TimedCells& cells) {
-  // motion, s, that the playback must have received so that it does not brake for lack of cells
+  // Duration of the motion, s, that the playback must have received in advance. With less, the playback would brake because it lacks cells.
   constexpr double enough = 3 * Playback::reserve;
   std::size_t offered = playback_.offer(cells, 0);
   while (offered < cells.laws.size() && play()) offered += playback_.offer(cells, offered);

@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr double same_pixel = 0.45;  // units of the page: a point closer than this to the previous point is on the same pixel
-// greatest number of segments in one path of Cairo, whose time grows faster than the length of the path
+// Greatest number of segments in one path that Cairo draws. The time that Cairo needs grows faster than the length of the path.
 constexpr int strokes_at_once = 400;
 constexpr double plunge_radius = 3.2;
 constexpr double beyond = 20'000;  // units of the page: coordinates beyond this value overflow the numbers of Cairo
@@ -24,7 +24,8 @@ Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp
 bool cut_to_reach(Vec2& from, Vec2& to) {
   double first = 0, last = 1;
   const Vec2 start = from, delta = to - from;
-  const auto keep = [&](double at, double step) {  // limits the fraction t of the line so that at + t·step ≤ beyond
+  // Limits the range of t in which the coordinate at + t·step does not exceed `beyond`. t is the location on the line, from 0 to 1.
+  const auto keep = [&](double at, double step) {
     if (step > 0) last = std::min(last, (beyond - at) / step);
     else if (step < 0) first = std::max(first, (beyond - at) / step);
     else if (at > beyond) last = -1;
@@ -102,7 +103,7 @@ class Pencil {
   int drawn_ = 0;
 };
 
-/// Draws with the present pen the segments for which `is_wanted` returns true.
+/// Draws those segments of the path for which the function `is_wanted` returns true, with the present pen.
 template <class Wanted>
 void draw_pieces(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, bool may_name,
                  const Wanted& is_wanted) {
@@ -141,7 +142,7 @@ void draw_lines(Canvas& canvas, LineTags& tags, View view, const ViewScale& scal
   canvas.kind("");
 }
 
-/// Draws all cutting motions, one interval of the colour scale after another.
+/// Draws all cutting motions. Motions whose colours are in the same interval of the colour scale are drawn together.
 void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   constexpr double width = 1.8;
   canvas.kind("shade");

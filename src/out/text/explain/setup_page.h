@@ -8,7 +8,8 @@
 
 namespace kadr {
 
-/// Returns the description of all keys, with the controls that support each key. `controls`: the columns of the table, in order.
+/// Returns the description of all keys as a page, with a column for each control that shows whether the control supports the key.
+/// `controls`: the controls in the order of the columns.
 std::string setup_page(const std::vector<const ControlDef*>& controls, Lang lang);
 
 /// Returns the description of the keys that this control supports.
