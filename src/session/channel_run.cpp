@@ -77,8 +77,8 @@ ChannelRun::~ChannelRun() {
   control_.on_warning = nullptr;
 }
 
-/// Stores the machine's position in `stopped_` while cutter compensation is active. The tool is then next to the programmed point, which is
-/// all that the control knows.
+/// Stores the machine's position in `stopped_` while cutter compensation is active. The tool is then next to the programmed point, and the
+/// control knows only the programmed point.
 void ChannelRun::note_position() {
   if (off_contour()) stopped_.machine_stood = machine_.position();
 }

@@ -58,15 +58,15 @@ class Stepping {
   /// Runs until the block in line `line` of the main program and all calls that it makes have been executed. Then the session is held.
   Session::State go_past(std::uint32_t line);
 
-  /// Start and end of go() and enter() for callers that do other work meanwhile. Call begin() or begin_entering(), then Session::go_on()
-  /// until it returns a state other than running. After an entered line, also call end_entering().
+  /// The start and the end of go() and enter(), for callers that do other work while the session runs. Call begin() or begin_entering(),
+  /// then Session::go_on() until it returns a state other than running. After an entered line, also call end_entering().
   void begin(How how);
   void begin_entering(const std::string& line);
   void end_entering(Session::State came_to);
   /// Holds the session before the next block in any case. Call this function after begin().
   void hold_next() { hold_requested_ = true; }
 
-  /// A function that is called before each block of the program, even if the session is not held there.
+  /// A function of the observer; Stepping calls it before each block of the program, even if the session is not held there.
   std::function<void(const Origin&)> on_block;
 
   /// Location of the block that is executed next; nullopt if the session is not held.

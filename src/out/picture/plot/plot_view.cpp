@@ -131,8 +131,8 @@ void draw_tools(Canvas& canvas, View view, const ViewScale& scale, const PlotSce
   canvas.end();
 }
 
-/// Returns the rectangle that the isometric view must show: the projection of `room` (box of the cutting), and of those parts of the path
-/// that are inside `box`. The corners of `box` are mostly empty, so they need not be visible.
+/// Returns the rectangle that the isometric view must show: the projection of `room` (box of the cutting, or `box` if nothing cuts), and of
+/// those parts of the path that are inside `box`. The corners of `box` are mostly empty, so they need not be visible.
 FlatBox seen_of(const PlotScene& scene, const Box& room, const Box& box) {
   FlatBox flat;
   for (const Vec3 corner : corners(room)) flat.take(projected(View::isometric, corner));

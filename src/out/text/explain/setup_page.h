@@ -8,8 +8,8 @@
 
 namespace kadr {
 
-/// Returns the description of all keys as a page, with a column for each control that shows whether the control supports the key.
-/// `controls`: the controls in the order of the columns.
+/// Returns the description of all keys as the rows of a Markdown table. `controls`: the controls that the page covers; the row of a key
+/// states which of them support the key.
 std::string setup_page(const std::vector<const ControlDef*>& controls, Lang lang);
 
 /// Returns the description of the keys that this control supports.
