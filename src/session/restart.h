@@ -25,11 +25,11 @@ struct Restart {
 /// is before the block.
 ///   returns  nullopt if the program does not reach the target; Session::state() tells how the session ended
 std::optional<Restart> restart_at(Session& session, Stepping& stepping, const StopPoint& target, std::uint32_t hole = 0);
-/// Returns what a restart from the block requires before which the session is held; nullopt if the session is not held.
+/// Returns the state that a restart before the next block requires; nullopt if the session is not held before a block.
 std::optional<Restart> restart_here(Session& session, const Stepping& stepping);
 
-/// Executes the block before which the session is held until the tool is over the n-th drilled hole of its canned cycle, counted from 1.
-/// The state in force there is stored in `restart`.
+/// Executes the next block (before which the session is held) until the tool is over the n-th drilled hole of the block's canned cycle,
+/// counted from 1. Then stores in `restart` the modes and the position that are in force.
 ///   returns  false if the cycle has fewer holes
 bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart);
 

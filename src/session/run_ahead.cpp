@@ -17,7 +17,6 @@ RunAhead::~RunAhead() {
 
 /// Wakes the other thread, since batches may be created or taken now. On a computer with a single processor there is no other thread, so
 /// the missing batches are created here.
-/// created here.
 void RunAhead::pass_on_news() {
   if (parallel_) {
     news_.fetch_add(1, std::memory_order_release);

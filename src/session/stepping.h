@@ -17,7 +17,7 @@
 
 namespace kadr {
 
-/// A condition under which the program is held. The program is held before a block that fulfils all members with a value.
+/// A condition under which the program is held. The program is held before a block that fulfils the conditions of all members that are set.
 struct StopPoint {
   std::uint32_t line = 0;    // line number; 0: any
   std::string file{};        // file of the line: a path, or the last component of the path; empty: the main program
@@ -95,8 +95,8 @@ class Stepping {
   /// Restores the session, which is then held before the stored block.
   ///   alarms  as Session::restore()
   Status restore(const Memory& from);
-  /// Restores the session and forgets where it was held. The caller continues with go_to(target). `passed`: number of times that the line
-  /// of `target` had been executed before the snapshot.
+  /// Restores the session without the block before which it was held. The caller then continues with go_to(target). `passed`: number of
+  /// times that the line of `target` had been executed before the snapshot.
   Status restore(const SessionSnapshot& from, const StopPoint& target, std::uint32_t passed);
 
   /// Adds a stop point. Returns its number; the numbers start at 1.

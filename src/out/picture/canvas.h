@@ -89,7 +89,7 @@ class Canvas {
   /// Begins a group of strokes with a name, e.g. "view-xy".
   virtual void begin(const char* /*name*/) {}
   virtual void end() {}
-  /// Gives the strokes that follow a type of motion as their name, such as "rapid". An empty name ends this.
+  /// Sets a type of motion, such as "rapid", as the name of all strokes that follow. An empty text means that the strokes have no name.
   virtual void kind(const char* /*name*/) {}
   /// True if the canvas stores the program line of each stroke. Then strokes of different lines must not be joined.
   virtual bool tags_lines() const { return false; }

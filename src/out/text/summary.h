@@ -42,7 +42,8 @@ class Statistics {
     if (severity == Severity::alarm || severity == Severity::warning) ++(severity == Severity::alarm ? alarms_ : warnings_);
   }
 
-  /// Sets the names of the work offsets, by Motion::system. They are needed if the run has used several work offsets.
+  /// Sets the names of the work offsets; the index of a name is Motion::system. The names are needed if the run has used several work
+  /// offsets.
   void name_systems(std::vector<std::string> names) { system_names_ = std::move(names); }
   /// Returns the extents of the cutting as a caption, e.g. "cutting X 0 … 20   Y …, mm"; empty if the program has cut nothing.
   std::string caption(Lang lang) const;

@@ -56,8 +56,8 @@ void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
   places_.push_back({motion, from});
 }
 
-/// Writes the position of the tool tip. If no rotary axes are in use, the tip is computed from the difference between work and machine
-/// coordinates and from the rotated frame.
+/// Writes the position of the tool tip in work coordinates. If no rotary axes are in use, it is computed from the machine position, the
+/// difference between work and machine coordinates, and the rotated frame.
 void SampleWriter::write_tip(const double* at) {
   while (places_.size() > 1 && places_[1].motion <= playback_.motion()) places_.pop_front();
   Axes machine{};

@@ -30,8 +30,8 @@ class SampleWriter {
   /// Starts a second file and writes its heading. For the same instants the second file contains the tool tip in work coordinates and the
   /// direction of the tool axis.
   void write_tips(std::FILE* file, const AxisRoles& roles);
-  /// Sets the work coordinates, rotary axes and tool length with which tip positions are computed from this motion on. `from`: the position
-  /// that contains them.
+  /// Sets the data with which tip positions are computed from the motion with the number `motion` on. `from`: the tool position whose work
+  /// coordinates, rotary axes and tool length are used.
   void take_place(std::uint64_t motion, const ToolPosition& from);
 
   void take(const TimedCells& cells);

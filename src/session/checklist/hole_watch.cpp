@@ -18,7 +18,6 @@ void HoleWatch::take(const Step& step, Advices& to) {
   if (!ends.down()) return;
   // Holes are compared by their machine coordinates: if the work offset is shifted or the part is rotated between two holes, their work
   // coordinates may be equal although the holes are not the same.
-  // hole.
   std::array<std::int64_t, max_axes + 1> hole{};
   for (std::size_t axis = 0; axis < step.roles.count; ++axis) hole[axis] = std::llround(motion->machine[axis] * 1000);
   hole.back() = motion->system;

@@ -30,7 +30,7 @@ void LevelWatch::take_point(const Ends& ends, const Origin& origin) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     Span& span = spans_[i];
     const double v = values[i];
-    // the motion does not move this axis, so the coordinate comes from an earlier block and is not counted again
+    // the motion does not move this axis, so its coordinate comes from an earlier block and has been counted there
     if (std::fabs(v - came_from[i]) < level) continue;
     const auto take = [&](std::array<double, 2>& best, std::array<Origin, 2>& where, double sign) {
       if (sign * v > sign * best[0]) {
@@ -132,9 +132,9 @@ void LevelWatch::judge_lows(Advices& to) const {
   const auto like = [this](AlarmId id) { return std::count_if(lows_.begin(), lows_.end(), [id](const Low& low) { return low.id == id; }); };
   for (const Low& low : lows_) {
     const bool plunges = low.id == AlarmId::rapid_below_zero;
-    // Rapids below the part's zero are reported only if some motion enters the material at feed. Without such a motion the tool probably
-    // enters the part through a hole or from outside, by a rapid. `border`: least distance between a reported rapid and the border of the
-    // cut region, inwards, mm. A contour starts at the border, and a rapid along the border is outside the part.
+    // Rapids below the part's zero are reported only if some motion enters the material at feed. Without such a motion the rapids may go
+    // through a hole or outside the part. `border`: least distance between a reported rapid and the border of the cut region, inwards, mm.
+    // A contour starts at the border, and a rapid along the border is outside the part.
     const double border = plunges ? -0.01 : 0.5;
     const auto inside = [border](const Span& s, double v) { return v > s.least[0] + border && v < s.most[0] - border; };
     if (like(low.id) <= most && inside(spans_[0], low.x) && inside(spans_[1], low.y) && (!plunges || feeds_down_ > 0))

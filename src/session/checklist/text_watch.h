@@ -72,8 +72,10 @@ class TextWatch {
   // State of the drilling cycle at the present block of the text. The member absolute_ is true if G90 is in force, and false if that is
   // uncertain. The member in_xy_ is true if G17 is in force.
   bool in_cycle_ = false, absolute_ = true, in_xy_ = true;
-  std::optional<Advice> cancelled_;  // a canned cycle that a motion code has cancelled
-  bool lost_ = false;                // true: later blocks contain only positions, at which the cancelled cycle no longer drills
+  // finding about a canned cycle that a motion code (e.g. G0) has cancelled; it is reported only if G80 follows later
+  std::optional<Advice> cancelled_;
+  // true: blocks after the cancelled cycle contain only positions, as if the cycle were still in force; the control does not drill there
+  bool lost_ = false;
   std::optional<double> level_, bottom_;
   // modes that the text has set so far
   bool began_ = false;         // true: a motion has been read

@@ -15,7 +15,7 @@ namespace kadr {
 class ToolWatch {
  public:
   void take(const Step& step, Advices& to);
-  /// `systems`: names of the work offsets, indexed by Motion::system.
+  /// Reports the findings after the run. `systems`: names of the work offsets; the index of a name is Motion::system.
   void finish(const std::vector<std::string>& systems, Advices& to);
 
  private:

@@ -17,7 +17,7 @@ namespace kadr {
 
 class AirLines {
  public:
-  // greatest number of stored lines; when it is exceeded, the half of the lines with fewer seconds is dropped
+  // Greatest number of lines whose times are stored. When it is exceeded, the half of the lines with the shorter times is dropped.
   static constexpr std::size_t most = 1 << 16;
 
   explicit AirLines(double cell, std::size_t max_kept = most) : reach_(2 * cell), most_(max_kept) {}

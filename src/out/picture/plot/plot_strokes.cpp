@@ -44,7 +44,7 @@ bool is_line(Stroke point, Stroke stroke) {
 /// Sets the program lines of the strokes that are drawn in a view.
 class LineTags {
  public:
-  ///   names  true: the first stroke of each program line gets the id by which a viewer finds that line
+  /// Creates the object for one view. `names`: true if the first stroke of each program line gets the id by which a viewer finds that line.
   LineTags(Canvas& canvas, const PlotScene& scene, bool names)
       : canvas_(canvas), title_(scene.title), tells_(canvas.tags_lines() && lines_are_tagged(scene)), names_(names) {}
   bool tells() const { return tells_; }
@@ -64,7 +64,8 @@ class LineTags {
 /// Draws a polyline. Points that would not be visible are omitted.
 class Pencil {
  public:
-  ///   may_name  true: the strokes belong to the path itself, so they may get the id of their program line
+  /// Draws with this canvas. `may_name`: true if the strokes belong to the tool path itself, so that they may get the id of their program
+  /// line.
   Pencil(Canvas& canvas, LineTags& tags, bool may_name) : canvas_(canvas), tags_(tags), may_name_(may_name) {}
   void segment(Vec2 from, Vec2 to, ProgramLine line) {
     const Vec2 start = from;
