@@ -24,13 +24,15 @@ struct Channel;
 struct LinkedAxis {
   std::size_t channel = 0;  // index of the channel whose axis follows or is exchanged
   CrossChannelAxis far;
-  std::size_t to_channel = 0, to_axis = 0;  // indices of the other axis of the link (the master, or the exchanged axis) and of its channel
-  double offset = 0;  // offset of a following axis, mm or degrees: its machine position = lead + sign · machine position of the master
+  // two indices: of the other axis of the link (the master, or the exchanged axis) in its channel, and of that channel
+  std::size_t to_channel = 0, to_axis = 0;
+  // Offset of a following axis, mm or degrees: its machine position is offset + sign · machine position of the master.
+  double offset = 0;
 };
 
 class AxisLinks {
  public:
-  /// The AxisLinks object refers to both arguments, so they must outlive it.
+  /// The constructor stores references to both arguments, so they must outlive the AxisLinks object.
   AxisLinks(const std::vector<Channel>& channels, const std::vector<std::unique_ptr<ChannelRun>>& runs)
       : channels_(channels), runs_(runs) {}
 

@@ -17,8 +17,8 @@ struct BlockSearch {
     Origin origin;  // location of the block that programmed the code last
     Action action;  // the action that the machine executes for the code
   };
-  /// The modal codes, feed, speed, offsets, variables and tool position at the target. They are those after the execution of all blocks
-  /// before the target (INFERRED, nct 13.1).
+  /// The modal codes, feed, speed, offsets, variables and tool position before the block at which the search ends. They are those after the
+  /// execution of all blocks before that block (INFERRED, nct 13.1).
   Restart restart;
   /// The codes that the control executes at the end of the search, in the order of execution. First comes, from each group of M codes that
   /// the machine builder defines (N1341 to N1372), the code programmed last; these codes are sorted by the block of their last use. Then

@@ -14,7 +14,8 @@ namespace {
 
 constexpr unsigned shown_each = 64;  // number of batches between two updates of the progress display
 
-/// Converts the control's state after a batch to what follows the batch, as the corner calculation of room `path` expects it.
+/// Converts the control's state after a batch of actions to the value that the corner calculation (CornerResolver) needs: whether more
+/// actions, an alarm or nothing follows.
 CornerResolver::Follows follows_in(Control::State state) {
   switch (state) {
     case Control::State::running:
@@ -70,14 +71,14 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
 }
 
 ChannelRun::~ChannelRun() {
-  ahead_.reset();  // the control's thread calls back this object, so the thread must end first
+  ahead_.reset();  // the control's thread calls functions of this object, so the thread must end before the object is destroyed
   control_.on_block = nullptr;
   control_.on_signal = nullptr;
   control_.on_warning = nullptr;
 }
 
-/// Stores the machine's position in `stopped_` while cutter compensation is active. The tool is then next to the programmed point, which is
-/// all that the control knows.
+/// Stores the machine's position in `stopped_` while cutter compensation is active. The tool is then next to the programmed point, and the
+/// control knows only the programmed point.
 void ChannelRun::note_position() {
   if (off_contour()) stopped_.machine_stood = machine_.position();
 }
@@ -139,11 +140,11 @@ std::optional<CompensationFault> ChannelRun::compensate(Control::State state, bo
   return queued_->take(batch_, last ? QueuedCompensation::Follows::nothing : QueuedCompensation::Follows::more);
 }
 
-/// Processes the control's batch in the later rooms: path, machine, outlets.
+/// Processes the control's batch of actions in the rooms after control: path, machine, and then the outlets (the observers of the run).
 ChannelRun::State ChannelRun::take(Control::State state) {
   if (!ahead_ || !ahead_->is_going()) blocks_ = control_.blocks();
   else if (!batch_.empty()) blocks_ = batch_.back().origin.number;
-  // true: the control is in advance, so it may be accessed only through settled()
+  // true: the control has executed more batches than path and machine, so it may be queried only through settled()
   const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();
   // room path: computes corners that the program does not state, and the arcs that replace corners
   const auto corner_fault = corners_.take(batch_, follows_in(state));
@@ -161,8 +162,8 @@ ChannelRun::State ChannelRun::take(Control::State state) {
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
     const AlarmReport report = settled().report_for(*taken.alarm, taken.origin);
-    // from now on the control passes each block separately, so that it no longer executes blocks before the machine has accepted the
-    // previous one
+    // from now on the control passes the actions of each block separately, so that it executes a block only after the machine has accepted
+    // the previous one
     if (taken.refused) control_.refused();
     if (!outlets_.alarm(report)) {
       stopped_.machine_stood = machine_.position();
@@ -345,7 +346,8 @@ void ChannelRun::give(Steps& steps, const Action& action) {
   const double begins = outlets_.step && clock_ != nullptr ? now() : 0;
   steps.give(action, begins, [this](const Step& step) {
     if (outlets_.silent) return;
-    // false, e.g. a tool change: the outlet `step` receives it only after all earlier motions of the tool
+    // False for an action without motion, e.g. a tool change. The observer `step` receives it only after the look-ahead has passed on all
+    // earlier motions of the tool.
     const bool moves = step.motion() != nullptr;
     if (moves && outlets_.step) outlets_.step(step);
     if (look_ahead_) look_ahead_->consume(step);
@@ -357,7 +359,8 @@ void ChannelRun::give(Steps& steps, const Action& action) {
   });
 }
 
-/// True for a motion whose feed may exceed the greatest speed of some axis. Then watch_feed() must examine the motion.
+/// True for a motion whose feed exceeds the lowest rapid rate of all axes, so that some axis may be too slow. Then watch_feed() must
+/// examine the motion.
 bool ChannelRun::is_suspect(const Action& action) const {
   const auto* const motion = motion_of(action);
   return motion != nullptr && motion->feed > lowest_rapid_rate_ && motion->unit == FeedUnit::mm_per_min;

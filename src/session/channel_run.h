@@ -35,29 +35,33 @@ VirtualTime virtual_time(const TimeSplit& split);
 class ProgressDisplay {
  public:
   virtual ~ProgressDisplay() = default;
-  /// Returns true if the display needs an update. This function is called often, so it must be fast.
+  /// Returns true if the display needs an update. ChannelRun calls this function often, so it must be fast.
   virtual bool is_due() const = 0;
-  /// Updates the display. The control is stopped during the call, so the function may query it.
+  /// Updates the display. ChannelRun stops the control during the call, so this function may query the control.
   virtual void show(const Control& control) = 0;
 };
 
-/// The functions and options with which callers observe a run.
+/// The functions of an observer that ChannelRun calls during a run, and the options of the observation.
 struct Outlets {
-  std::function<void(const Step&)> step{};  // called after the machine has accepted an action; empty: nobody observes the steps
-  /// Like `step`, but with the time that the machine really needs if something limits its speed (ChannelRun::look_ahead). This function is
-  /// called later than `step`. `longer`: additional time compared with the time that `step` received, s.
+  // A function of the observer that receives each step after the machine has accepted its action; empty: nobody observes the steps.
+  std::function<void(const Step&)> step{};
+  /// A function of the observer that receives each step later than `step`, with the time that the machine really needs if something limits
+  /// its speed (ChannelRun::look_ahead). `longer`: additional time compared with the time that `step` received, s.
   std::function<void(const Step&, double longer)> timed{};
   std::function<void(const AlarmReport&)> warning;
-  /// Called when an alarm occurs. The function returns true if the run is to continue with the next block, as in a check of the program.
+  /// A function of the observer that receives an alarm. It returns true if the run is to continue with the next block, as in a check of the
+  /// program.
   std::function<bool(const AlarmReport&)> alarm;
-  ProgressDisplay* progress_display = nullptr;  // called at intervals; nullptr: no display
+  ProgressDisplay* progress_display = nullptr;  // display of the progress, which ChannelRun updates at intervals; nullptr: no display
   // the clock that computes the times of the steps; nullptr: the run creates its own clock when times are requested
   TimeEstimate* clock = nullptr;
-  bool wants_times = false;                         // true: the steps must have times even without a clock
-  std::function<void(const Action&)> programmed{};  // called for each action before cutter radius compensation is applied
-  // returns false if an observer could not write its output, which ends the run; empty: the observers write no output
+  bool wants_times = false;  // true: the steps must have times even without a clock
+  // a function of the observer that receives each action before cutter radius compensation is applied
+  std::function<void(const Action&)> programmed{};
+  // A function of the observer that returns false if it could not write its output, which ends the run; empty: the observer writes no
+  // output.
   std::function<bool()> writable{};
-  StopToken stop{};  // a request to stop; checked after each batch
+  StopToken stop{};  // a request to stop the run, which ChannelRun checks after each batch of actions
   // true: the observer needs much time for each step, because it writes or draws the step; then a second thread is useful
   bool works_long = false;
   // true: the observers receive neither steps nor warnings, because the program is only scanned
@@ -89,12 +93,11 @@ class ChannelRun {
   ~ChannelRun();
 
   enum class State : std::uint8_t { running, waiting, held, stopped, ended };
-  /// Executes the next batch of actions of the control.
-  ///   waiting  the channel waits for other channels, see Control::meeting()
-  ///   held     Control::holds_before() holds the channel before a block
-  ///   stopped  an alarm has stopped the channel, see stopped()
+  /// Executes the next batch of actions of the control. The result `waiting` means that the channel waits for other channels
+  /// (Control::meeting), `held` that Control::holds_before() holds the channel before a block, and `stopped` that an alarm has stopped the
+  /// channel (see stopped()).
   State step();
-  /// Passes an action to the outlets that all channels execute together at the present time, e.g. the end of waiting.
+  /// Passes to the outlets an action that all channels execute together at the present time, e.g. the end of waiting.
   void show(const Action& action);
   const Stopped& stopped() const { return stopped_; }
   /// Stops the run with an alarm for which no block is the reason.
@@ -118,8 +121,8 @@ class ChannelRun {
   void finish();
   /// Number of blocks that the control has executed and that path and machine have processed.
   std::uint64_t blocks() const { return blocks_; }
-  /// Waits until the control's thread has read ahead as far as it may and has stopped. Returns the control, which the caller may query
-  /// then.
+  /// Waits until the control's thread has executed as many blocks in advance as it may, and has stopped. Returns the control, which the
+  /// caller may then query.
   Control& settled();
   /// Position of the tool on the machine, after the last action that the machine has accepted.
   const ToolPosition& position() const { return machine_.position(); }
@@ -141,7 +144,7 @@ class ChannelRun {
   /// Acknowledges the alarm that stopped the run, so that the run may continue.
   void acknowledge() { stopped_ = {}; }
 
-  /// Times and watches of this object as they are between two steps.
+  /// The times of the channel, and the state of its checks, between two steps.
   struct Clocks {
     double waited = 0;        // total waiting time, s
     double continued_at = 0;  // time at which the last waiting ended, s
@@ -155,7 +158,7 @@ class ChannelRun {
   /// A snapshot of everything that determines how the run continues, including the state of path and machine.
   struct Memory {
     Snapshot control;
-    std::vector<RunAhead::Batch> to_come;  // batches that the control had executed before the machine needed them
+    std::vector<RunAhead::Batch> to_come;  // batches of actions that the control had created in advance, before the machine executed them
     CornerResolver::Memory corners;
     std::shared_ptr<const RadiusCompensation::Memory> compensation;
     std::shared_ptr<const QueuedCompensation::Memory> queued;
@@ -195,7 +198,8 @@ class ChannelRun {
   Logic& logic_;
   CornerResolver corners_;
   RadiusCompensation compensation_;
-  std::optional<QueuedCompensation> queued_;  // used instead of compensation_ if the control compensates a queue of motions
+  // the cutter compensation if the control compensates a queue of motions; otherwise compensation_ is used
+  std::optional<QueuedCompensation> queued_;
   VirtualMachine machine_;
   Rates rates_;
   double lowest_rapid_rate_;               // the lowest rapid rate of all axes, mm/min
@@ -204,9 +208,11 @@ class ChannelRun {
   std::optional<LookAhead> look_ahead_;    // the look-ahead; nullopt: nothing limits the speed
   Clocks now_;
   ActionBatch batch_;
-  // runs the control in its own thread; nullopt if a later room (path, machine) or the machine's logic can affect what the control executes
+  // Runs the control in its own thread. It is nullopt if path, machine or the machine's logic can affect what the control executes, so that
+  // the control must not execute blocks in advance.
   std::optional<RunAhead> ahead_;
-  std::deque<RunAhead::Batch> to_come_;      // batches from a restored snapshot, which are executed before the control continues
+  // batches of actions from a restored snapshot, which are executed before the control creates new ones
+  std::deque<RunAhead::Batch> to_come_;
   std::vector<AlarmReport> early_warnings_;  // warnings of the last batch that the control's thread has created
   unsigned steps_ = 0;
   std::uint64_t blocks_ = 0;

@@ -65,7 +65,8 @@ tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef
   if (!setup.channels.empty() && !def.machine_axes()) return refused(texts::session::no_channels, def.id);
   if (setup.channels.contains(setup.channel)) return refused(texts::session::own_channel, setup.channel);
   const std::string file = program.file;
-  if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);  // true: the caller has selected no folder
+  // true: the caller has not selected the folder in which called programs are searched
+  if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);
   const auto shared = setup.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
   std::vector<Channel> channels;
   const auto open = [&](int number, Setup own, Program its) -> tl::expected<void, ChannelsFault> {
@@ -113,7 +114,7 @@ Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile
     control.return_each_block();
     control.set_waiting(Control::Waiting::meet);
     runs_.push_back(std::make_unique<ChannelRun>(control, profile, channels[i].setup, outlets.own[i], logic_));
-    (void)runs_.back()->now();  // starts the clock of the channel: the time counts from the first call of now()
+    (void)runs_.back()->now();  // this call starts the clock of the channel, which counts the time from the first call of now()
   }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     links_.relink(i);

@@ -39,18 +39,20 @@ tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef
 /// so all channels share them. Offsets, work offsets, variables and positions belong to the channel and are all 0 at first (INFERRED).
 Setup setup_of_channel(const Setup& main, int number);
 
-/// The observers of the channels: the outlets of each channel, by index, and the functions that receive the steps of all channels in the
-/// order of time.
+/// The observers of a run with several channels: the outlets of each channel, by index of the channel, and functions that Channels calls
+/// for all channels together, in the order of time.
 struct ChannelOutlets {
   std::vector<Outlets> own;
   // true: an alarm that the observer does not ignore stops all channels (INFERRED); false: it stops only its own channel, as in a check
   bool stop_together = true;
   std::function<void(std::size_t channel, const Step&)> in_order;
-  /// Called when a channel starts to wait for others. All its earlier steps have been passed to the observers before.
+  /// A function of the observer; Channels calls it when a channel starts to wait for others, after all earlier steps of that channel have
+  /// been passed to the observers.
   std::function<void(std::size_t channel, const Control::Meeting&)> waits;
-  /// Called when channels continue after waiting, because they have met or because the waiting of a single channel was cancelled.
+  /// A function of the observer; Channels calls it when channels continue after waiting, because they have met or because the waiting of a
+  /// single channel was cancelled.
   std::function<void(const std::vector<std::size_t>& channels)> met;
-  /// Called when the program of a channel has ended.
+  /// A function of the observer; Channels calls it when the program of a channel has ended.
   std::function<void(std::size_t channel)> over;
 };
 
@@ -102,7 +104,7 @@ class Channels {
   void only(std::size_t channel);
   /// Lets all channels run again. An alarm that stopped the single running channel counts as acknowledged.
   void all();
-  /// `on`: a held channel stays held while the other channels continue, until every channel is held, waiting or ended.
+  /// If `on` is true, a channel that is held stays held while the other channels continue, until every channel is held, waiting or ended.
   void hold_each(bool on) { each_holds_ = on, held_.assign(held_.size(), false); }
   /// Stores a step that comes from an outlet. The observers receive the step when the virtual time of all channels has reached its
   /// beginning.
@@ -151,7 +153,7 @@ class Channels {
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;
   TimeOrder order_;
-  // by channel: version of the shared tables and parameters when all channels last had the same ones
+  // for each channel: version of the shared tables and parameters when the contents were last the same in all channels
   std::vector<std::uint64_t> common_;
   bool over_ = false;
   bool each_holds_ = false;

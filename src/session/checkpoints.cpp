@@ -53,7 +53,9 @@ void Checkpoints::thin_out() {
 bool Checkpoints::may_hold(const LineMarks& marks, const StopPoint& target) const {
   if (target.line == 0) return true;
   if (target.file.empty()) return marks.may_hold(0, target.line);
-  return true;  // true: the number of a called file is not known before the call, so any segment may contain the line
+  // True if the line is in a called file. The number of that file is not known before the call, so any segment of the run may contain the
+  // line.
+  return true;
 }
 
 Result<Session::State> Checkpoints::reach(Stepping& stepping, const StopPoint& target) {

@@ -27,7 +27,8 @@ std::optional<std::string> sample_of(OpenedText opened, std::size_t most) {
   const std::string_view sample = reader.sample().substr(0, most);
   const auto encoding = opened.encoding ? opened.encoding : detect_encoding(sample);
   std::string text;
-  if (encoding) (void)append_utf8(sample, *encoding, text);  // the result is ignored: `text` then ends before the first invalid byte
+  // a failure is ignored: the converted text then ends before the first byte that is not valid in this encoding
+  if (encoding) (void)append_utf8(sample, *encoding, text);
   else text = sample;
   return text;
 }
@@ -51,7 +52,7 @@ std::vector<GuessRows> own_rows(const std::string& folder, const FileAccess* doo
   for (const std::string& file : files_of(folder, max_files, [](const fs::path& path) { return path.extension() == ".toml"; })) {
     const auto text = read_file(file, limits::config_file_bytes, door);
     if (!text || text->find("[guess]") == std::string::npos) continue;
-    // errors of the file are ignored here; they are reported when the user selects the file as a control
+    // Errors of a control file in the folder are ignored here. They are reported when the user selects the file as a control.
     const auto table = toml_tools::parsed(*text, file);
     const toml::table* const guess = table && table->contains("id") ? (*table)["guess"].as_table() : nullptr;
     auto rows = guess == nullptr ? tl::unexpected<std::string>("") : guess_rows_of(*guess, file);
@@ -71,7 +72,8 @@ std::string called(const std::string& file) {
   return "/" + whole.parent_path().filename().string() + "/" + whole.filename().string();
 }
 
-/// Returns some programs of the folder that are not in `but`. They are the neighbours of the first file of `but` in alphabetical order.
+/// Returns some programs of the folder that are not in the list `but`. They are the neighbours, in alphabetical order, of the first file of
+/// `but`.
 std::vector<std::string> others_near(const std::string& folder, const std::vector<std::string>& but) {
   constexpr std::size_t max_looked_at = 2000, most = 12;
   const auto names = files_of(folder, max_looked_at, [](const fs::path& path) {
@@ -119,8 +121,8 @@ void FolderGuess::take(const std::string& file, std::size_t max_bytes) {
   if (max_bytes == whole_sample) try_guess(guess, *text);
 }
 
-/// Reads some other programs of the folder, unless many of its programs are given or the controls of all given programs are certain. `of`:
-/// the given programs of the folder.
+/// Reads some other programs of the folder as evidence, unless many of its programs are given or the controls of all given programs are
+/// certain. `of`: the programs of this folder that the user has given.
 void FolderGuess::take_neighbours(const std::string& folder, const std::vector<std::string>& of) {
   constexpr std::size_t many = 12;
   const bool sure = std::all_of(of.begin(), of.end(), [this](const std::string& file) { return guesses_[file].decisive; });

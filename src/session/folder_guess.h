@@ -16,7 +16,8 @@ namespace kadr {
 
 /// The functions and data with which program files are opened and read.
 struct GuessAccess {
-  // returns the control that the user has named for a file; empty: the user has named no control, so it is guessed
+  // A function of the caller that returns the control that the user has named for a file. If it returns an empty text, the control is
+  // guessed.
   std::function<std::string(const std::string& file)> named{};
   GivenEncoding encoding{};
   const FileAccess* door = nullptr;   // opens the files; nullptr: files are read from the file system
@@ -40,12 +41,12 @@ class FolderGuess {
     std::string reason_en, reason_ru;
   };
   struct Answer {
-    Guess guess;  // the guess that is based on the program itself
+    Guess guess;  // the guess that is based only on the text and the name of the program itself
     // the neighbouring programs whose control is assumed; nullopt: only the program itself is the evidence
     std::optional<Neighbours> neighbours;
     const std::string& control() const { return neighbours ? neighbours->common.control : guess.control; }
   };
-  ///   returns  nullopt if the file cannot be read, or if the user has named its control
+  /// Returns the guess for a program. The result is nullopt if the file cannot be read, or if the user has named its control.
   std::optional<Answer> of(const std::string& file) const;
 
  private:

@@ -39,7 +39,7 @@ std::vector<std::string> axes_of(const MachineProfile& profile) {
 struct DirectionCode {
   int code = 0;
   double inclination = 0;
-  bool turned = false;  // true: the code means the opposite direction
+  bool turned = false;  // true: the code stands for the opposite direction of the line
 };
 std::optional<DirectionCode> code_of(Vec3 d) {
   const double parts[] = {d.x, d.y, d.z};

@@ -16,8 +16,8 @@ namespace kadr {
 
 class Planned {
  public:
-  /// `stand`: position of the axes at the start. `stop`: a request to end planning; what is already planned is still passed to the
-  /// observers.
+  /// Creates the plan of a channel. `stand`: position of the axes at the start. `stop`: a request to end planning; the observers still
+  /// receive what has been planned before the request.
   Planned(const Channel& channel, const MachineProfile& profile, const ToolPosition& stand, StopToken stop = {});
   Planned(const Planned&) = delete;  // not copyable: the planner has a pointer to this object
   Planned& operator=(const Planned&) = delete;
@@ -29,8 +29,8 @@ class Planned {
   /// function after write_samples().
   void write_tips(std::FILE* file);
 
-  /// Ends planning when all requested samples are written. The function is for callers without other observers. Call this function after
-  /// write_samples().
+  /// Ends planning when all requested samples are written. A caller without other observers needs no more of the plan. Call this function
+  /// after write_samples().
   void end_with_samples() { ends_with_samples_ = true; }
 
   /// Starts the recording of the lines of the program that lose the most time. why() prints the record.

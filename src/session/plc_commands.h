@@ -9,8 +9,8 @@
 
 namespace kadr {
 
-/// Executes the commands. Signals, switches and spindles belong to the machine, so the control of every channel receives them (INFERRED).
-/// An answer goes only to `from`, the control that asked the question.
+/// Executes commands of the machine's logic on the controls of the channels. Signals, switches and spindles belong to the machine, so the
+/// control of every channel receives them (INFERRED). An answer goes only to `from`, the control that asked the question.
 void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Control* const> channels);
 
 }  // namespace kadr

@@ -37,7 +37,7 @@ Result<std::vector<Move>> program_moves(const ControlDef& def, const std::string
     if (state == Control::State::stopped) return fail(control.report().alarm);
     if (state != Control::State::running) break;
   }
-  // removes the first motion, which goes straight up from an unknown position
+  // The first motion goes straight up from an unknown position, so it is removed from the result.
   if (!moves.empty()) moves.erase(moves.begin());
   return moves;
 }

@@ -33,12 +33,13 @@ std::optional<Restart> restart_here(Session& session, const Stepping& stepping) 
 
 bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart) {
   Control& control = session.control();
-  control.return_each_block();  // makes a canned cycle pass one motion at a time, so that each hole is seen
+  // The control passes the motions of a canned cycle one at a time from now on, so that this function can count the holes.
+  control.return_each_block();
   const std::size_t axes = control.axes().size(), normal = control.plane_normal();
   std::optional<Axes> over;
   std::uint32_t holes = 0;
   bool went_down = false;
-  double level = 0;  // coordinate at the end of the first motion down
+  double level = 0;  // coordinate along the tool axis at the end of the cycle's first motion down
   Axes last = control.tool_position().work;
   Session::State state = stepping.begin_block();
   while (state == Session::State::running && control.in_block()) {
@@ -48,7 +49,7 @@ bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Re
     const bool rises = moved_down && now[normal] > last[normal];
     if (!over && !rises) over = now, holes = 1;
     else if (over && !is_at_other_place(now, *over, axes, normal) && !std::exchange(went_down, true)) level = now[normal];
-    // false at the bottom of a hole: a sideways motion there does not lead to another hole
+    // False while the tool is at the bottom of a hole. A sideways motion at the bottom does not lead to another hole.
     const bool is_out = now[normal] >= level - tol::same_point;
     if (went_down && is_out && is_at_other_place(now, *over, axes, normal)) over = now, ++holes, went_down = false;
     if (holes == hole) {

@@ -25,20 +25,21 @@ struct Restart {
 /// is before the block.
 ///   returns  nullopt if the program does not reach the target; Session::state() tells how the session ended
 std::optional<Restart> restart_at(Session& session, Stepping& stepping, const StopPoint& target, std::uint32_t hole = 0);
-/// Returns what a restart from the block requires before which the session is held; nullopt if the session is not held.
+/// Returns the state that a restart before the next block requires; nullopt if the session is not held before a block.
 std::optional<Restart> restart_here(Session& session, const Stepping& stepping);
 
-/// Executes the block before which the session is held until the tool is over the n-th drilled hole of its canned cycle, counted from 1.
-/// The state in force there is stored in `restart`.
+/// Executes the next block (before which the session is held) until the tool is over the n-th drilled hole of the block's canned cycle,
+/// counted from 1. Then stores in `restart` the modes and the position that are in force.
 ///   returns  false if the cycle has fewer holes
 bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart);
 
-/// A mode, tool, offset or variable whose present value differs from the required value.
+/// A mode, tool, offset or variable whose present value differs from the value that the restart requires.
 struct Difference {
   std::optional<InForce> required;  // required value; nullopt: the variable must not have a value, but has one
   std::optional<InForce> now;       // present value; nullopt: the variable has no value
 };
-/// Returns all differences, first those of the items in `required`, in the same order. `now`: what is in force at the machine.
+/// Returns all differences between `required` and `now`, first those of the items in `required`, in the same order. `now`: what is in force
+/// at the machine.
 std::vector<Difference> differences(const std::vector<InForce>& required, const std::vector<InForce>& now);
 
 /// A straight motion of the path to the block. Its end is in machine coordinates, mm or degrees.
@@ -49,12 +50,12 @@ struct WayPoint {
   double feed = 0;  // feed, mm/min; 0 for a rapid
 };
 struct WayRules {
-  double clearance = 0;  // coordinate along the normal axis above which nothing obstructs the tool, work coordinates, mm
-  double above = 2;      // height above the target, mm, below which the descent is at feed
+  double clearance = 0;  // safe height along the tool axis above which nothing obstructs the tool, work coordinates, mm
+  double above = 2;      // height above the position of the restart, mm; from this height on the tool descends at feed
   double feed = 100;     // feed of the last part of the descent, mm/min
 };
-/// Computes the path to the block: up to the clearance, over the target, and down to the target. The last part of the descent is at feed.
-/// Motions of zero length are omitted.
+/// Computes the path to the block, in three parts: up to the clearance (safe height), sideways over the target, and down to the target. The
+/// last part of the descent is at feed. Motions of zero length are omitted.
 std::vector<WayPoint> path_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes);
 
 /// Converts the path to the work coordinates in force at the block, as restart_blocks() needs it. At least one of the blocks names the

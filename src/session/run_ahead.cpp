@@ -15,8 +15,8 @@ RunAhead::~RunAhead() {
   thread_.wait();
 }
 
-/// Wakes the other thread, since the condition for which it waits may have become true. On a single processor the missing batches are
-/// created here.
+/// Wakes the other thread, since batches may be created or taken now. On a computer with a single processor there is no other thread, so
+/// the missing batches are created here.
 void RunAhead::pass_on_news() {
   if (parallel_) {
     news_.fetch_add(1, std::memory_order_release);

@@ -34,13 +34,14 @@ class RunAhead {
   struct Batch {
     ActionBatch actions;
     Control::State state = Control::State::running;
-    bool wants_answers = false;  // true: the control cannot continue until it knows the outcome of each block
+    // true: the control must know the outcome of each block before it continues, so it executes no blocks in advance
+    bool wants_answers = false;
     std::vector<AlarmReport> warnings;
     std::exception_ptr failure;
     bool is_last() const { return state != Control::State::running || wants_answers || failure; }
   };
-  /// Returns the control's state after the next batch. The actions of the batch are swapped with `actions`, whose memory is reused, and the
-  /// warnings with `warnings`.
+  /// Returns the control's state after the next batch. The actions and warnings of the batch are swapped with `actions` and `warnings`,
+  /// whose memory is reused.
   Control::State take(ActionBatch& actions, std::vector<AlarmReport>& warnings);
   /// Waits until the control has created as many batches as it may, and has stopped.
   void settle();
@@ -53,7 +54,7 @@ class RunAhead {
 
  private:
   static constexpr std::uint64_t depth = 16;
-  static constexpr std::uint64_t worth_waking = depth / 2;  // least number of missing batches for which the thread is woken
+  static constexpr std::uint64_t worth_waking = depth / 2;  // the control's thread is woken when at least this many batches are missing
 
   void work();
   void make();
@@ -64,18 +65,20 @@ class RunAhead {
 
   Control& control_;
   std::array<Batch, depth> ring_;
-  Batch* in_work_ = nullptr;  // the batch that is being created; only for the thread that runs the control
-  bool going_ = false;        // only for the caller's thread
-  std::uint64_t taken_ = 0;   // number of batches that take() has returned; only for the caller's thread
+  Batch* in_work_ = nullptr;  // the batch that is being created; only the thread that runs the control uses this member
+  bool going_ = false;        // result of is_going(); only the caller's thread uses this member
+  std::uint64_t taken_ = 0;   // number of batches that take() has returned; only the caller's thread uses this member
   Thread thread_;             // started when the first batch is requested
   bool parallel_;             // true: a second processor is available for the thread
 
-  std::atomic<std::uint64_t> allowed_ = 0;  // number of batches, counted from the start, up to which batches may be created
+  // greatest number of batches, counted from the start, that the control may have created at present
+  std::atomic<std::uint64_t> allowed_ = 0;
   std::atomic<std::uint64_t> made_ = 0;
   std::atomic<bool> stands_ = true;         // true: no batch may be created, as the final batch exists or creation has not started
   std::atomic<std::uint32_t> in_hand_ = 0;  // 1: one of the two threads is running the control
   std::atomic<bool> over_ = false;
-  std::atomic<std::uint32_t> news_ = 0;  // counter of events; the waiting thread continues when it changes
+  // counter of the changes for which the other thread may wait; that thread continues when the counter changes
+  std::atomic<std::uint32_t> news_ = 0;
 };
 
 }  // namespace kadr

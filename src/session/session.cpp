@@ -73,7 +73,8 @@ void Session::attach_planners() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!planned_[i] || attached_[i]) continue;
     attached_[i] = true;
-    outlets_.own[i].wants_times = true;  // the planner computes the feed from the times of the steps
+    // the planner computes the feed of each motion from the time of the step, so the steps must have times
+    outlets_.own[i].wants_times = true;
     outlets_.own[i].step = [look = std::move(outlets_.own[i].step), planned = planned_[i].get()](const Step& step) {
       if (look) look(step);
       planned->consume(step);
@@ -81,7 +82,8 @@ void Session::attach_planners() {
   }
 }
 
-/// Connects the control, the machine and the observers. This function is called when the observers are known.
+/// Connects the control, the machine and the observers. The session calls this function when the observers are known, before the first
+/// batch of actions.
 void Session::begin() {
   begun_ = true;
   attach_planners();

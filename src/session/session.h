@@ -77,8 +77,8 @@ class Session {
   /// Creates a planner for the axes of a channel, which plans the motions in least time.
   Planned& plan(std::size_t channel, const StopToken& stop = {});
   Planned* planned(std::size_t channel) { return planned_[channel].get(); }
-  /// Passes this step to the observers when the virtual time of all channels has reached it. The function may be called only if there are
-  /// several channels.
+  /// Passes a step of a channel to the observers when the virtual time of all channels has reached the beginning of the step. The function
+  /// may be called only if there are several channels.
   void show(std::size_t channel, const Step& step) { channels_run_->show(channel, step); }
 
   // ---- running the session
@@ -106,8 +106,8 @@ class Session {
   /// Lets only this channel continue until it stops or is held again. enter() calls this function for the program's own channel. The
   /// function may be called only if there are several channels.
   void alone(std::size_t channel);
-  /// `on`: each channel stays at the block where Control::holds_before holds it, until all channels are held, waiting or ended. The
-  /// function may be called only if there are several channels.
+  /// If `on` is true, each channel stays at the block before which Control::holds_before has held it, until all channels are held, waiting
+  /// or ended. The function may be called only if there are several channels.
   void hold_each(bool on) {
     if (channels_run_) channels_run_->hold_each(on);
   }
@@ -155,7 +155,7 @@ class Session {
   std::optional<SpeedRules> rules_;
   bool begun_ = false;
   bool searched_ = false;       // true: the block search that the key `search` of the set-up requests has been done
-  std::vector<bool> attached_;  // by channel: true if the planner in planned_ receives the steps
+  std::vector<bool> attached_;  // for each channel: true if the channel's planner (in planned_) receives the steps
   // these members are used with a single channel
   std::optional<Logic> logic_;
   std::unique_ptr<ChannelRun> alone_;

@@ -96,7 +96,7 @@ void Stepping::note_tool() {
   tool_before_ = std::exchange(tool_, session_.control().state_now().tool);
 }
 
-/// Called by the control before each block. Returns true if the session is to be held before this block.
+/// Returns true if the session is to be held before this block. The control calls this function before each block.
 bool Stepping::must_hold(const Origin& origin) {
   if (std::exchange(again_, false)) return false;
   const Origin before = std::exchange(last_, origin);
@@ -105,7 +105,7 @@ bool Stepping::must_hold(const Origin& origin) {
     next_ = origin;
     return true;
   }
-  // true: the block follows another block in the same line, as in `N1 … ПС N2 …`, so the line is not counted again
+  // True if the block follows another block in the same line, as in `N1 … ПС N2 …`. The line is then not counted a second time.
   const bool same_line = before.line == origin.line && before.file == origin.file && origin.column > before.column;
   const bool begins_call = origin.depth > before.depth;
   const auto is_on_line = [&](const StopPoint& p) { return p.line == origin.line; };
@@ -125,8 +125,8 @@ bool Stepping::must_hold(const Origin& origin) {
 }
 
 void Stepping::set_out() {
-  // true: the session was held before this block, so the control asks about the same block again. In the middle of a block the control does
-  // not ask again.
+  // True if the session was held before this block. Then the control asks a second time whether to hold before the same block. In the
+  // middle of a block the control does not ask again.
   again_ = next_.has_value() && !session_.control().in_block();
   depth_ = next_ ? next_->depth : 0;
   next_.reset();

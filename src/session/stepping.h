@@ -17,7 +17,7 @@
 
 namespace kadr {
 
-/// A condition under which the program is held. The program is held before a block that fulfils all members with a value.
+/// A condition under which the program is held. The program is held before a block that fulfils the conditions of all members that are set.
 struct StopPoint {
   std::uint32_t line = 0;    // line number; 0: any
   std::string file{};        // file of the line: a path, or the last component of the path; empty: the main program
@@ -58,15 +58,15 @@ class Stepping {
   /// Runs until the block in line `line` of the main program and all calls that it makes have been executed. Then the session is held.
   Session::State go_past(std::uint32_t line);
 
-  /// Start and end of go() and enter() for callers that do other work meanwhile. Call begin() or begin_entering(), then Session::go_on()
-  /// until it returns a state other than running. After an entered line, also call end_entering().
+  /// The start and the end of go() and enter(), for callers that do other work while the session runs. Call begin() or begin_entering(),
+  /// then Session::go_on() until it returns a state other than running. After an entered line, also call end_entering().
   void begin(How how);
   void begin_entering(const std::string& line);
   void end_entering(Session::State came_to);
   /// Holds the session before the next block in any case. Call this function after begin().
   void hold_next() { hold_requested_ = true; }
 
-  /// A function that is called before each block of the program, even if the session is not held there.
+  /// A function of the observer; Stepping calls it before each block of the program, even if the session is not held there.
   std::function<void(const Origin&)> on_block;
 
   /// Location of the block that is executed next; nullopt if the session is not held.
@@ -95,8 +95,8 @@ class Stepping {
   /// Restores the session, which is then held before the stored block.
   ///   alarms  as Session::restore()
   Status restore(const Memory& from);
-  /// Restores the session and forgets where it was held. The caller continues with go_to(target). `passed`: number of times that the line
-  /// of `target` had been executed before the snapshot.
+  /// Restores the session without the block before which it was held. The caller then continues with go_to(target). `passed`: number of
+  /// times that the line of `target` had been executed before the snapshot.
   Status restore(const SessionSnapshot& from, const StopPoint& target, std::uint32_t passed);
 
   /// Adds a stop point. Returns its number; the numbers start at 1.

@@ -21,7 +21,7 @@ using ProgramLines = std::map<std::uint32_t, std::string>;
 /// comments about tools after that line.
 ProgramLines lines_of(const Control& control);
 
-/// True if the comments of the program state lengths in inches where they name no unit. Call this function after the run.
+/// True if lengths without a unit in the comments of the program are in inches. Call this function after the run.
 ///   moved  the units of the motions of that run
 bool comments_in_inches(const Control& control, const MotionUnits& moved);
 
@@ -40,7 +40,7 @@ class ToolProposals {
   /// second source is a comment next to the block that calls the tool, if that comment names no other tool.
   ///   called_at  line of the block that calls the tool; 0: the block is in another file
   std::optional<ToolProposal> of(std::uint32_t tool, std::uint32_t called_at) const;
-  /// Returns the proposal from a comment that describes the tool but does not clearly state its size. To be called if of() returns no
+  /// Returns the proposal from a comment that describes the tool but does not clearly state its size. Call this function if of() returns no
   /// proposal.
   std::optional<ToolProposal> unsure(std::uint32_t tool, std::uint32_t called_at) const;
 

@@ -37,7 +37,7 @@ std::optional<AlarmReport> unstated(const Control& control, const ControlDef& de
     const UsedKey used = used_key(use, def);
     if (is_stated(use, used, stated)) continue;
     if (first == nullptr) first = &use;
-    // the word is in the list already: on the 2С42 the word D is both the length offset and the radius offset
+    // The same word is in the list already. On the 2С42, for example, the word D names both a length offset and a radius offset.
     if (!words.insert(used.word).second) continue;
     if (!list.empty()) list += ", ";
     if (use.kind == UseKind::variable) list += translated(texts::session::variable_vacant, used.word, use.origin.line);

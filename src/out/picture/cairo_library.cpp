@@ -1,5 +1,6 @@
-// Loads the Cairo library when the first pixel picture is drawn. At the start of the program, loading Cairo and its fifteen libraries took
-// a fifth of the start-up time of every command. This file is used by out/picture/cairo_canvas.
+// Loads the Cairo library when the first pixel picture is drawn. If the library were loaded at the start of the program, Cairo and the
+// fifteen libraries that Cairo needs would take a fifth of the start-up time of every command. This file is used by
+// out/picture/cairo_canvas.
 
 #include "out/picture/cairo_library.h"
 

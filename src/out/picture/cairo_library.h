@@ -1,6 +1,6 @@
 #pragma once
-// Loads the Cairo library when the first pixel picture is drawn. At the start of the program, loading Cairo and the fifteen libraries that
-// Cairo needs took a fifth of the start-up time of every command.
+// Loads the Cairo library when the first pixel picture is drawn. If the library were loaded at the start of the program, Cairo and the
+// fifteen libraries that Cairo needs would take a fifth of the start-up time of every command.
 
 #include <cairo.h>
 

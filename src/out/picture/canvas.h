@@ -89,12 +89,12 @@ class Canvas {
   /// Begins a group of strokes with a name, e.g. "view-xy".
   virtual void begin(const char* /*name*/) {}
   virtual void end() {}
-  /// Gives the strokes that follow a type of motion as their name, such as "rapid". An empty name ends this.
+  /// Sets a type of motion, such as "rapid", as the name of all strokes that follow. An empty text means that the strokes have no name.
   virtual void kind(const char* /*name*/) {}
   /// True if the canvas stores the program line of each stroke. Then strokes of different lines must not be joined.
   virtual bool tags_lines() const { return false; }
   /// Sets the program line of the strokes that follow.
-  ///   file_name  name of the called file that contains the line
+  ///   file_name  name of the subprogram file that contains the line
   ///   names_it   true: the next stroke gets the id by which a viewer finds the line
   virtual void program_line(const ProgramLine& /*line*/, std::string_view /*file_name*/, bool /*names_it*/) {}
 

@@ -17,10 +17,10 @@ namespace {
 constexpr double page_wide = 1600, views_height = 1082, edge_room = 28, room_between = 26;
 constexpr double head_height = 70, key_height = 56, key_row = 24, right_width = 560;
 constexpr double line_height = 21, line_size = 13, caption_room = 24;
-// greatest ratio of the size of the whole path to that of the cutting at which all rapids are shown: in the isometric view, in the flat
-// views
+// Two limits, for the isometric view and for the flat views: all rapids are shown if the size of the whole path is at most this many times
+// the size of the path at feed.
 constexpr double most_large = 4, most_flat = 1.5;
-constexpr std::size_t few_lines = 5;  // greatest number of text lines below the picture that each have a row of their own
+constexpr std::size_t few_lines = 5;  // greatest number of text lines below the picture that are written in a single column
 constexpr std::size_t max_line_length = 300;
 constexpr Colour faint = colour(0x5B6775), fine = colour(0x1A7F37), warns = colour(0xB04A00);
 
@@ -30,7 +30,7 @@ std::size_t rows_of(const DifferencePage& page) { return page.lines.size() <= fe
 
 double height_of(const DifferencePage& page) { return views_height + (page.lines.empty() ? 0 : double(rows_of(page)) * line_height + 16); }
 
-// ratio of the widths of bold and normal text; greatest width of a program name, units of the page
+// Two values: the ratio of the width of bold text to that of normal text, and the greatest width of a program name, units of the page.
 constexpr double bold = 1.16, max_name = 420;
 
 /// Shortens the text so that it fits into the width. The beginning of the text remains.

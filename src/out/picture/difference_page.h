@@ -21,7 +21,7 @@ struct DifferenceCloseup {
 
 /// A line of text below the picture, which describes one difference.
 struct DifferenceLine {
-  std::size_t number = 0;  // number of the difference; 0: the line mentions further differences
+  std::size_t number = 0;  // number of the difference; 0: the text only states that there are further differences
   std::string text;
 };
 

@@ -11,8 +11,8 @@
 
 namespace kadr {
 
-/// Removal rate, mm³/s, of each sweep (straight movement of the tool through the stock). The rate is unknown if the element is 0 or
-/// missing.
+/// Removal rate, mm³/s, of each sweep (straight movement of the tool through the stock), by number of the sweep. The rate of a sweep is
+/// unknown if its element is 0 or if the vector ends before it.
 using SweepRates = std::vector<float>;
 
 /// Returns the greatest removal rate, mm³/s, of the sweeps whose cut is still visible on the surface.

@@ -74,7 +74,7 @@ class Drawing {
     canvas.solid();
   }
 
-  /// Draws the segments of those moves for which `chosen` returns true.
+  /// Draws the segments of the moves for which the function `chosen` returns true.
   template <class Chosen>
   void path(Canvas& canvas, Colour ink, double width, Chosen chosen, bool dashed = false) const {
     canvas.pen(ink, width);

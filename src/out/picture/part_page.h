@@ -1,6 +1,6 @@
 #pragma once
-// The page of a cut part. It contains a large view from the front, right and above, and six side views. The colour of the surface shows the
-// tool, the age, the deviation or the load.
+// The page of a cut part. It contains a large view from the front, right and above, and six side views. The colour of the surface shows
+// either the tool that cut it, the order in time of the cuts, the deviation from the target part, or the removal rate.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -18,8 +18,9 @@ enum class PartColour : std::uint8_t { tool, age, deviation, load };
 struct PartTitle {
   std::string file, control;
   Lang lang = Lang::en;
-  std::string caption;              // text below the title, which states the removed volume and the cell size
-  std::vector<std::string> legend;  // texts of the legend for PartColour::tool, e.g. "T1", by number of the colour
+  std::string caption;  // text below the title, which states the removed volume and the cell size
+  // texts of the legend when the surface is coloured by tool, e.g. "T1"; the index is the number of the colour
+  std::vector<std::string> legend;
 };
 
 struct PartDeviation {
@@ -50,7 +51,8 @@ struct PartScene {
   std::vector<CollisionMark> collisions{};
 };
 
-/// Draws the page. The ending of the file's name (.svg, .png) selects the format. Afterwards the caller must call ResultFile::keep().
+/// Draws the page. The ending of the file's name (.svg, .png) selects the format. Afterwards the caller must call ResultFile::keep(), which
+/// moves the complete file to its final path.
 ///   returns  an error sentence if the page cannot be drawn
 tl::expected<void, std::string> draw_part_page(const ResultFile& file, const PartScene& scene);
 

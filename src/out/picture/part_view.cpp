@@ -11,7 +11,8 @@
 namespace kadr {
 namespace {
 
-constexpr double ambient = 0.35, facing = 0.5, from_above_left = 0.15;  // weights of the three components of a triangle's brightness
+// Weights of the three components of a triangle's brightness: light from everywhere, light from the viewer, and light from above left.
+constexpr double ambient = 0.35, facing = 0.5, from_above_left = 0.15;
 
 /// A corner of a triangle in the image, pixels. `near` increases towards the viewer.
 struct Corner {

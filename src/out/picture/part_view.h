@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// The directions of a view, as unit vectors that are perpendicular to each other.
+/// The orientation of a view: three unit vectors that are perpendicular to each other.
 struct ViewDirection {
   Vec3 right, up;
   Vec3 towards;  // from the part to the viewer

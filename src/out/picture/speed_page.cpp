@@ -73,7 +73,7 @@ class SpeedPage {
 
   /// Determines the upper end of the speed scale from the cutting motions. The curve of faster rapid motion is cut off there.
   void find_top_speed() {
-    // upper end of the speed scale and highest commanded feed that is shown, as multiples of the greatest cutting speed
+    // Two multiples of the greatest cutting speed: the upper end of the speed scale, and the highest commanded feed that is shown.
     constexpr double room = 1.1, max_feed = 4;
     double cutting = 0;
     for (const Column& c : columns_) {
@@ -109,8 +109,8 @@ class SpeedPage {
     canvas.text({area.x, area.y - 9}, heading, {14, ink, Align::left, true});
   }
 
-  /// Calls `take` for each run of adjacent columns of the same type. Its arguments are the index of the first column of the run, and the
-  /// index after the last one.
+  /// Calls `take` for each run of adjacent columns of the diagram that contain data and for which `same` returns true. The arguments of
+  /// `take` are the index of the first column of the run, and the index after the last one.
   template <class Same, class Take>
   void each_run(const Same& same, const Take& take) const {
     for (std::size_t first = 0; first < columns_.size();) {
@@ -121,7 +121,8 @@ class SpeedPage {
     }
   }
 
-  /// Draws the outline of a run of columns as steps, from left to right. If `back` is true, it is drawn from right to left.
+  /// Draws the outline of adjacent columns of the diagram as a line with steps, from left to right, or from right to left if `back` is
+  /// true.
   template <class Y>
   void steps(Canvas& canvas, std::size_t first, std::size_t end, bool back, bool begins, const Y& y) const {
     for (std::size_t n = first; n < end; ++n) {
@@ -148,7 +149,7 @@ class SpeedPage {
                canvas.line_to({x_of_column(end), area.bottom()});
                canvas.line_to({x_of_column(first), area.bottom()});
                canvas.fill_path();
-               light.alpha = 0.55;  // the light area extends from the least to the greatest speed of each column
+               light.alpha = 0.55;  // the light area of the diagram extends from the least to the greatest speed in each column
                canvas.pen(light, 1);
                steps(canvas, first, end, false, true, [&](const Column& c) { return y_of(c.most); });
                steps(canvas, first, end, true, false, [&](const Column& c) { return y_of(c.least); });
@@ -205,7 +206,8 @@ class SpeedPage {
 
   /// Draws the axis below the diagrams, with the time and the program line that is executed at that time.
   void draw_time(Canvas& canvas, double y) const {
-    // distance between the marks of the axis, units of the page; time from which minutes are shown, s
+    // Two values: the least distance between marks of the time axis, units of the page, and the duration of the run, s, above which the
+    // axis states minutes.
     constexpr double spacing = 110, in_minutes = 180;
     const bool minutes = record_.seconds() > in_minutes;
     const double least = record_.seconds() * spacing / width;

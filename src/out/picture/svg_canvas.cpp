@@ -1,4 +1,4 @@
-// SvgCanvas: writes a page as SVG while the page is drawn. Only the pen is stored. It is used by out/text/page_file.
+// SvgCanvas: writes a page as SVG while the page is drawn, without a copy of the page in memory. It is used by out/text/page_file.
 
 #include "out/picture/svg_canvas.h"
 
@@ -152,7 +152,7 @@ void SvgCanvas::program_line(const ProgramLine& line, std::string_view file_name
 }
 
 void SvgCanvas::move_to(Vec2 p) {
-  constexpr std::size_t most = 64;  // greatest number of characters that the text of a point needs
+  constexpr std::size_t most = 64;  // greatest number of characters of a point's coordinates in the SVG
   if (!in_path_) {
     take_group();
     put("<path d=\"");

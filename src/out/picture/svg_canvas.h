@@ -1,7 +1,7 @@
 #pragma once
-// SvgCanvas: an implementation of Canvas that writes SVG while the page is drawn. Only the pen is stored. Text remains text in the SVG. A
-// stroke contains the program line from which it comes (data-line, data-file). One stroke of each line has an id by which a viewer finds
-// the line: l12, or s1l12 in the first called file.
+// SvgCanvas: an implementation of Canvas that writes SVG while the page is drawn, without a copy of the page in memory. Text remains text
+// in the SVG. A stroke contains the program line from which it comes (data-line, data-file). One stroke of each line has an id by which a
+// viewer finds the line: l12 for line 12 of the main program, s1l12 for line 12 of the first subprogram file.
 
 #include <cstdio>
 #include <string>

@@ -12,8 +12,8 @@ namespace {
 constexpr char32_t replacement = 0xFFFD;
 constexpr double em = 1000;
 
-// Widths of the characters of DejaVu Sans, in thousandths of the font size.
-// the tables of widths contain the characters from blank to ~ and from А to я
+// Widths of the characters of DejaVu Sans, in thousandths of the font size. One table contains the characters from blank to ~, the other
+// those from А to я.
 constexpr char32_t first_ascii = 0x20, first_cyrillic = 0x410;
 constexpr std::array<std::uint16_t, 95> ascii = {
     318, 401, 460, 838, 636, 950, 780, 275, 390,  390, 500, 838, 318, 361, 318, 337, 636, 636, 636, 636, 636, 636, 636, 636,
@@ -40,7 +40,7 @@ char32_t take_character(std::string_view& text) {
     whole = (byte(i) & 0xC0U) == 0x80;
     character = character << 6U | (byte(i) & 0x3FU);
   }
-  // least character for each length in bytes; a longer form of a lower character is invalid
+  // The least character that needs 1, 2, 3 or 4 bytes in UTF-8. A character that is written with more bytes than it needs is invalid.
   constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
   if (!whole || character < least[size]) character = replacement;
   text.remove_prefix(whole ? size : 1);
@@ -63,7 +63,8 @@ void append(std::string& to, char32_t c) {
 
 double width_of(char32_t c) {
   constexpr double other = 640, wide = 1000;
-  constexpr char32_t first_wide = 0x1100;  // first character (Hangul) from which on characters count as wide, as in East Asian scripts
+  // the first character (Hangul) of the East Asian scripts; this character and all greater ones count as wide
+  constexpr char32_t first_wide = 0x1100;
   if (c >= first_ascii && c < first_ascii + ascii.size()) return ascii[c - first_ascii];
   if (c >= first_cyrillic && c < first_cyrillic + cyrillic.size()) return cyrillic[c - first_cyrillic];
   return c >= first_wide ? wide : other;
@@ -78,7 +79,8 @@ double text_width(std::string_view text, double size) {
 }
 
 std::string printable(std::string_view text) {
-  constexpr char32_t pictures = 0x2400, deleted = 0x2421;  // symbol of the first control character; symbol of the character DEL
+  // Two symbols that replace invisible characters: the symbol of the character 0 (others follow in order), and that of the character DEL.
+  constexpr char32_t pictures = 0x2400, deleted = 0x2421;
   std::string clean;
   while (!text.empty()) {
     const char32_t c = take_character(text);

@@ -31,7 +31,8 @@ class ToolDirections {
 
   std::size_t most_;
   std::vector<ToolDirection> all_;
-  // mm: distance between stored directions; length of the path so far; length of the path at which the next direction is stored
+  // Three lengths along the path, mm: the distance between stored directions, the path so far, and the location of the next direction to
+  // store.
   double step_ = 0.25, travelled_ = 0, next_ = 0;
   bool leans_ = false;
 };

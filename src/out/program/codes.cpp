@@ -1,4 +1,5 @@
-// Finds the code of a control for a function. This file is used by out/program/part_program and convert/block_maker.
+// Finds the G or M code with which a control commands a given function, e.g. rapid motion. This file is used by out/program/part_program
+// and convert/block_maker.
 
 #include "out/program/codes.h"
 

@@ -54,7 +54,8 @@ class ProgramWriter {
     if (!block.empty()) block += ' ';
     block += word;
   }
-  /// Appends the word of a feed or a speed. Its number is the value itself, or the code of the value if the control has a table of codes.
+  /// Appends the word of a feed or a speed. The number of the word is the value itself, or, if the control has a table of codes for such
+  /// values, the code of the value.
   Status coded(std::string& block, char letter, const std::map<std::int32_t, double>& codes, double value) {
     if (codes.empty()) return word(block, letter, value);
     const auto code = code_below(codes, value);
@@ -249,7 +250,8 @@ Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::
 }
 
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {
-  // greatest change of Move::bulge that rounding of words may cause, since an arc is at least ten increments long
+  // Greatest difference between the bulges (Move::bulge, the shape of an arc) of two equal arcs that the rounding of words may cause. An
+  // arc is at least ten increments long.
   constexpr double bulge_off = 0.1;
   const auto differs = [](const area::Move& a, const area::Move& b) {
     return (a.kind == area::MoveKind::rapid) != (b.kind == area::MoveKind::rapid) || length(a.to - b.to) > tol::same_point * 10 ||

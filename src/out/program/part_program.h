@@ -23,8 +23,9 @@ struct Technology {
 };
 
 struct PartProgram {
-  std::string text;               // UTF-8
-  std::vector<area::Move> moves;  // the moves with the coordinates in the text, that is, rounded to the digits of the words
+  std::string text;  // UTF-8
+  // the moves of the tool with the coordinates that the text states, which are rounded to the decimals of the words
+  std::vector<area::Move> moves;
 };
 
 /// Creates the program. An arc becomes a line if rounded words would exceed the control's arc tolerance, or if the arc is too short for the
@@ -32,7 +33,8 @@ struct PartProgram {
 ///   alarms  word_has_no_room, function_has_no_code
 Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::Move>& moves, const Technology& technology);
 
-/// Checks that the path of `read` is the same as that of `written`, point by point.
+/// Checks that the moves `read`, which the control executes, follow the same path as the moves `written`, from which the program was
+/// created. They are compared point by point.
 ///   alarms  mill_read_back
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read);
 

@@ -1,5 +1,5 @@
-// Converts the state that must be set before a program continues to blocks. This file is used together with session/restart and tested by
-// tests/session/restart_test.cpp.
+// Writes blocks that bring a control into a given state (modes, tool, offsets, variables) before a program continues in mid-program. This
+// file is used together with session/restart and tested by tests/session/restart_test.cpp.
 
 #include "out/program/restart_blocks.h"
 
@@ -27,14 +27,15 @@ const CodeRow* row_of(const ControlDef& def, const InForce& one) {
   return found == def.codes.end() ? nullptr : &*found;
 }
 
-/// True for linear and rapid motion. Such a code is written after the motions, since the motions change it.
+/// True for the codes of linear and rapid motion. They are written after the motions to the position, since those motions change them.
 bool is_line(const CodeRow& row) { return row.function == Function::linear || row.function == Function::rapid; }
 
-/// True for G90 and G91 (absolute, incremental). These codes are written in separate blocks after the motions, since the motions are
-/// absolute.
+/// True for G90 and G91 (absolute, incremental). They are written in separate blocks after the motions to the position, since those motions
+/// are absolute.
 bool is_distance(const CodeRow& row) { return row.function == Function::absolute || row.function == Function::incremental; }
 
-/// True if the code acts at once, or if it needs words whose values are unknown here (data of a canned cycle, centre of a rotation).
+/// True if a code cannot be written alone: it acts at once, or it needs words whose values are unknown here (data of a canned cycle, centre
+/// of a rotation).
 bool wants_words(const CodeRow& row) {
   return row.needs != 0 || row.needs_axis || row.phase == Phase::motion || row.phase == Phase::transform ||
          row.phase == Phase::compensation || row.function == Function::tool_lead;
@@ -79,7 +80,7 @@ class RestartWriter {
   Status code(const InForce& one, const std::vector<InForce>& in_force) {
     const CodeRow* const row = row_of(def_, one);
     if (row == nullptr || is_line(*row) || is_distance(*row)) return {};
-    // A code that switches a mode off needs no words. Such a code is in force at power-on.
+    // A code that is in force at power-on switches its mode off, so it needs no words.
     const bool usual = row->group != 0 && def_.groups[row->group].power_on >= 0 &&
                        &def_.codes[static_cast<std::size_t>(def_.groups[row->group].power_on)] == row;
     if (wants_words(*row) && !usual) {
@@ -95,8 +96,8 @@ class RestartWriter {
       KADR_TRY(word(letter, offset.value));
       written_letters_ |= letter_bit(letter);
     }
-    // Some controls accept a tool length only with a motion of the tool axis. Therefore the words are written in the first block with such
-    // a motion.
+    // Some controls accept a tool length offset only in a block that moves the tool axis. Therefore the code and its words are written in
+    // the first such block.
     if (row->phase == Phase::length && has_motion_) with_motion_ = std::exchange(line_, {});
     end();
     return {};
@@ -105,7 +106,7 @@ class RestartWriter {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def_, one) : nullptr;
     return row != nullptr && (row->function == Function::inch || row->function == Function::millimetre);
   }
-  /// True if the words already written include this letter, in the block of the code that uses the letter.
+  /// True if a word with this letter has been written in the block of the code that uses the letter.
   bool has_written(char letter) const { return (written_letters_ & letter_bit(letter)) != 0; }
   Status motion(const BlockMove& to) {
     if (to.along_tool && !with_motion_.empty()) add(std::exchange(with_motion_, {}));
@@ -135,7 +136,8 @@ bool is_set(const std::vector<InForce>& required, const ControlDef& def, Functio
   });
 }
 
-/// True if a code of a modal group states the spindle rotation or the coolant. Then that code is written instead of the simple M code.
+/// True if the modal code of some group already states the spindle rotation or the coolant. Then that code is written instead of a separate
+/// M code for the spindle or the coolant.
 bool is_written_by_group(const InForce& one, const std::vector<InForce>& in_force, const ControlDef& def) {
   return std::any_of(in_force.begin(), in_force.end(), [&](const InForce& other) {
     const CodeRow* const row = other.kind == Kind::code ? row_of(def, other) : nullptr;
@@ -146,7 +148,7 @@ bool is_written_by_group(const InForce& one, const std::vector<InForce>& in_forc
   });
 }
 
-/// Order of the codes. Coolant comes before the spindle, because M13 switches on both.
+/// True if code `a` is written before code `b`. Coolant codes come before spindle codes, because M13 switches on both.
 bool comes_before(const ControlDef& def, const InForce& a, const InForce& b) {
   const auto rank = [&](const InForce& one) {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
@@ -210,7 +212,8 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
   if (!path.empty())
     if (const CodeRow* const absolute = row_of(def, Function::absolute)) writer.line(absolute->code);
   for (const BlockMove& to : path) KADR_TRY(writer.motion(to));
-  for (const InForce& one : in_force) {  // the motions may have changed these codes and the feed, so they are written again
+  // the motions to the position may have changed the motion code, G90 or G91 and the feed, so these are written again
+  for (const InForce& one : in_force) {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
     if (row != nullptr && (is_line(*row) || is_distance(*row))) writer.line(one.code);
     if (one.kind == Kind::feed && one.value > 0) {
@@ -219,7 +222,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     }
   }
   for (const InForce& one : required) {
-    // false: the word H has already applied the tool length
+    // false: the tool length is in force already, since a block contains the word H
     const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_written('H'));
     const bool next_tool = one.kind == Kind::selected && !is_in_spindle(one, in_force);
     if (of_tables || next_tool || one.kind == Kind::rotation || one.kind == Kind::scale) writer.by_hand(one);

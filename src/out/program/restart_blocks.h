@@ -1,5 +1,5 @@
 #pragma once
-// Converts the state that must be set before a program can continue from its middle to blocks of the control.
+// Writes blocks that bring a control into a given state (modes, tool, offsets, variables) before a program continues in mid-program.
 
 #include <string>
 #include <vector>

@@ -73,7 +73,7 @@ class Words {
     return format_.whole_digits > 0 || (!format_.point && row_.whole) ? 0 : free_decimals + more_;
   }
 
-  /// Appends the number of a length. The decimal point is always written, since without it some controls would count increments.
+  /// Appends a length as a number. The decimal point is always written, since without it some controls would count increments.
   void append_with_point(std::string& text, std::string_view digits, std::size_t fraction) const {
     if (digits.size() <= fraction) {
       text += "0.";
@@ -92,10 +92,12 @@ class Words {
   const WordFormat& format_;
   char letter_;
   int more_;
-  // true: a number without a decimal point counts increments in some modes (spec/haas 1.2, spec/fanuc 1.3: in inches, per revolution)
+  // True: on this control a number of this address without a decimal point counts increments in some modes (in inches, or with feeds per
+  // revolution: spec/haas 1.2, spec/fanuc 1.3).
   bool counts_;
   int decimals_;
-  double increment_, most_;  // value of the last digit; greatest number of increments that the format can express
+  // two values: the increment that the last digit counts, and the greatest number of increments that the format can express
+  double increment_, most_;
 };
 
 }  // namespace kadr

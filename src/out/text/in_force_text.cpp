@@ -1,4 +1,4 @@
-// Describes in words what is in force. This file is used by cli/debug and cli/run (--from).
+// Describes in words what is in force on the control: modes, tool, offsets, variables. This file is used by cli/debug and cli/run (--from).
 
 #include "out/text/in_force_text.h"
 

@@ -1,5 +1,6 @@
 #pragma once
-// Describes in words what is in force: modes, tool, offsets, variables. The text is printed when a run begins in mid-program.
+// Describes in words what is in force on the control: modes, tool, offsets, variables. The text is printed when a run begins in
+// mid-program.
 
 #include <string>
 #include <vector>

@@ -16,7 +16,8 @@ struct LostTimeRow {
   std::string block;  // text of the program line
 };
 
-/// Returns the table. Each line ends in '\n'. `all`: time that all lines together lose, s.
+/// Returns the table with the lines that lose the most time. Each row ends in '\n'. `all`: the time that all lines of the program together
+/// lose, s.
 std::string lost_time_text(const std::vector<LostTimeRow>& rows, double all, const std::vector<std::string>& axes, Lang lang);
 
 }  // namespace kadr

@@ -25,7 +25,7 @@ Span whole_word(std::string_view line, std::uint32_t begin) {
   return {begin, std::uint32_t(end)};
 }
 
-/// Extends the span of a word that is to be removed by one of the blanks next to the word.
+/// Extends the span of a word that is to be removed, so that a blank next to the word is removed too.
 Span with_a_blank(std::string_view line, Span word) {
   const bool after = word.end < line.size() && line[word.end] == ' ', before = word.begin > 0 && line[word.begin - 1] == ' ';
   if (before && (after || word.end >= without_trailing_blanks(line))) --word.begin;

@@ -10,7 +10,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t widest = 110;  // greatest number of characters of a line that are shown
-constexpr std::size_t ahead = 40;    // number of characters before the position that a shortened line shows
+constexpr std::size_t ahead = 40;    // greatest number of characters before the underlined range in a line that had to be shortened
 constexpr std::string_view indent = "  ";
 constexpr std::string_view clipped = "…";
 

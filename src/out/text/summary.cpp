@@ -29,7 +29,7 @@ std::string line(std::string_view name, const std::string& value) {
   return std::string(name) + std::string(pad, ' ') + value + "\n";
 }
 
-/// Returns one line for each value. The first line begins with the name.
+/// Returns the values as lines of the summary, one value per line. Only the first line begins with the name of the values.
 std::string lines(std::string_view name, const std::vector<std::string>& values) {
   std::string text;
   for (const std::string& value : values) text += line(text.empty() ? name : std::string_view(), value);

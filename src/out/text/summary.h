@@ -10,11 +10,11 @@
 
 namespace kadr {
 
-/// The data from which the machining time is computed. Each value includes the data of the values before it.
+/// The data from which the machining time is computed. Each enum value uses, in addition, all data of the values before it.
 enum class TimeBasis : std::uint8_t {
   programmed,   // programmed feeds and rapid rates
-  limited,      // in addition, the limits at which the control slows down
-  accelerated,  // in addition, the accelerations of the axes
+  limited,      // in addition to `programmed`: the limits at which the control slows down
+  accelerated,  // in addition to `limited`: the accelerations of the axes
 };
 
 /// Processes steps in order. Each step takes little time. The memory depends only on the number of tools and work offsets.
@@ -28,10 +28,11 @@ class Statistics {
   /// Returns the clock, which must time each step of the run before consume() receives the step. The summary contains the totals of the
   /// clock.
   TimeEstimate& clock() { return estimate_; }
-  /// Adds a step, which the clock has timed before, to the totals. If no summary is printed, only the clock is needed.
+  /// Adds a step to the totals. The clock must have computed the time of the step before. A caller that prints no summary needs only the
+  /// clock.
   void consume(const Step& step);
-  /// Sets the data from which the times are computed. Without this call they are the programmed feeds. The caller then reports the time
-  /// differences to lengthen().
+  /// Sets the data from which the times are computed; the default is programmed feeds and rapid rates. With other data the caller must pass
+  /// the additional time of each motion to lengthen().
   void count_by(TimeBasis basis) { basis_ = basis; }
   /// Adds time to a motion that consume() has already received. Before an action that changes the tool, call this function for all earlier
   /// motions.
@@ -41,14 +42,15 @@ class Statistics {
     if (severity == Severity::alarm || severity == Severity::warning) ++(severity == Severity::alarm ? alarms_ : warnings_);
   }
 
-  /// Sets the names of the work offsets, by Motion::system. They are needed if the run has used several work offsets.
+  /// Sets the names of the work offsets; the index of a name is Motion::system. The names are needed if the run has used several work
+  /// offsets.
   void name_systems(std::vector<std::string> names) { system_names_ = std::move(names); }
   /// Returns the extents of the cutting as a caption, e.g. "cutting X 0 … 20   Y …, mm"; empty if the program has cut nothing.
   std::string caption(Lang lang) const;
 
   /// Returns the summary, whose lines end in '\n'.
   ///   planned  time that the least-time planner has computed; nullptr: the planner was not used
-  ///   counts   optimal: the planned time replaces the time of the control; otherwise both times are printed
+  ///   counts   PlannerMode::optimal: the time of the planner replaces that of the control; any other mode: both times are printed
   std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr,
                    PlannerMode counts = PlannerMode::programmed) const;
 

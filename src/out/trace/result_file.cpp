@@ -33,7 +33,7 @@ struct UnfinishedFiles {
   std::set<std::string> names;
 };
 UnfinishedFiles& unfinished_files() {
-  static auto* const files = new UnfinishedFiles;  // never freed, since discard_all() may be called while the process ends
+  static auto* const files = new UnfinishedFiles;  // the list is never freed, since discard_all() may be called while the process ends
   return *files;
 }
 
@@ -125,7 +125,7 @@ tl::expected<void, std::string> ResultFile::open_temporary() {
   if (file < 0) return tl::unexpected(sentence(name_, errno));
   files.names.insert(temporary_);
   constexpr mode_t all_rights = 07777;
-  // the result is ignored: if the system refuses, the file has the permissions of a new file
+  // A failure is ignored: if the system refuses the permissions of the old file, the new file has those of any new file.
   if (exists) (void)::fchmod(file, there.st_mode & all_rights);
   owned_ = true;
   file_ = ::fdopen(file, "wb");

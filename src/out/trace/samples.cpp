@@ -45,7 +45,8 @@ void SampleWriter::write_tips(std::FILE* file, const AxisRoles& roles) {
 
 void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
   if (tip_file_ == nullptr) return;
-  if (!places_.empty()) {  // usually only the position has changed since the last motion, so the last ToolPlace still applies
+  // Usually the work coordinates and the tool length are the same as on the last motion, so the last ToolPlace still applies.
+  if (!places_.empty()) {
     const ToolPosition& last = places_.back().from;
     bool same = last.space == from.space && last.turn == from.turn;
     for (std::size_t a = 0; same && a < axes_ && (!from.space || !from.space->has_rotary()); ++a)
@@ -55,8 +56,8 @@ void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
   places_.push_back({motion, from});
 }
 
-/// Writes the position of the tool tip. If no rotary axes are in use, the tip is computed from the difference between work and machine
-/// coordinates and from the rotated frame.
+/// Writes the position of the tool tip in work coordinates. If no rotary axes are in use, it is computed from the machine position, the
+/// difference between work and machine coordinates, and the rotated frame.
 void SampleWriter::write_tip(const double* at) {
   while (places_.size() > 1 && places_[1].motion <= playback_.motion()) places_.pop_front();
   Axes machine{};
@@ -103,7 +104,7 @@ bool SampleWriter::play() {
 }
 
 void SampleWriter::take(const TimedCells& cells) {
-  // motion, s, that the playback must have received so that it does not brake for lack of cells
+  // Duration of the motion, s, that the playback must have received in advance. With less, the playback would brake because it lacks cells.
   constexpr double enough = 3 * Playback::reserve;
   std::size_t offered = playback_.offer(cells, 0);
   while (offered < cells.laws.size() && play()) offered += playback_.offer(cells, offered);

@@ -17,7 +17,7 @@ namespace kadr {
 
 /// The reason why no more samples are written.
 enum class SampleEnd : std::uint8_t {
-  none,      // samples are still being written, or the motions have ended
+  none,      // no end has been requested: samples are still being written, or the motions of the program have ended
   max_time,  // the time limit was exceeded
   stopped,   // a stop was requested
 };
@@ -30,8 +30,8 @@ class SampleWriter {
   /// Starts a second file and writes its heading. For the same instants the second file contains the tool tip in work coordinates and the
   /// direction of the tool axis.
   void write_tips(std::FILE* file, const AxisRoles& roles);
-  /// Sets the work coordinates, rotary axes and tool length with which tip positions are computed from this motion on. `from`: the position
-  /// that contains them.
+  /// Sets the data with which tip positions are computed from the motion with the number `motion` on. `from`: the tool position whose work
+  /// coordinates, rotary axes and tool length are used.
   void take_place(std::uint64_t motion, const ToolPosition& from);
 
   void take(const TimedCells& cells);
@@ -43,7 +43,8 @@ class SampleWriter {
   int error() const { return error_; }  // errno of the first write error; 0: none
   /// Returns why no more samples are written. Cells that arrive later are ignored.
   SampleEnd ended() const { return ended_; }
-  /// Returns the tag of the cell (timed segment) that contains the last sample.
+  /// Returns the tag (64-bit number that identifies the program line) of the cell that contains the last sample. A cell is a short timed
+  /// segment.
   std::uint64_t tag() const { return playback_.tag(); }
 
   /// The data for computing tool tips (work coordinates, rotary axes, tool length), valid from a certain motion on.
@@ -82,7 +83,8 @@ class SampleWriter {
   std::FILE* tip_file_ = nullptr;
   std::string tip_text_;
   AxisRoles roles_;
-  std::deque<ToolPlace> places_;  // the first element applies to the present motion
+  // the data for computing tool tips, in the order of the motions; the first element applies to the present motion
+  std::deque<ToolPlace> places_;
   int error_ = 0;
   SampleEnd ended_ = SampleEnd::none;
 };

@@ -116,10 +116,10 @@ void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   out_.append("}\n");
 }
 
-/// Writes how far each axis that the block names moves. This field is needed after a probe motion, since the program alone does not
-/// determine where the next motion begins (nct 21.1).
+/// Writes the travel of each axis that the block names. The field is needed after a probe motion: a probe motion ends at contact, so the
+/// program does not determine where the next motion begins (nct 21.1).
 void TraceWriter::write_path(const Step& step, const Motion& motion) {
-  if (motion.detail && motion.detail->rolled != 0) return;  // the travel of a rollover axis is written by write_detail() instead
+  if (motion.detail && motion.detail->rolled != 0) return;  // write_detail() writes the travel of an axis with rollover instead
   char* at = put_text(out_.room(line_room_), R"(,"travel":)");
   char separator = '{';
   for (std::size_t i = 0; i < roles_.count; ++i) {
@@ -147,7 +147,8 @@ char* TraceWriter::put_vector(char* at, std::string_view key, Vec3 v) const {
   return at;
 }
 
-/// Writes the position and the direction of the tool relative to the part (nct 25), and the coordinate frame of the words in the program.
+/// Writes the position and the direction of the tool relative to the part (nct 25), and in which coordinate frame the words of the program
+/// are.
 void TraceWriter::write_space(const Place& at_place) {
   const auto& [step, motion, part, work, machine] = at_place;
   const WorkTransform& space = *step.from.space;
@@ -199,7 +200,9 @@ void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
   const bool curved =
       is_arc(motion.kind) || motion.kind == MotionKind::spline || (motion.detail && motion.detail->surface != PathSurface::plane);
   if (curved && time.length > 0) at = put_field(at, R"(,"length":)", time.length);
-  if (time.exact) {  // without accelerations of the axes in the set-up these numbers would be wrong, so they are omitted
+  // Duration and highest feed of a motion are written only if they are exact. Without the axes' accelerations in the set-up they would be
+  // wrong.
+  if (time.exact) {
     at = put_field(at, R"(,"seconds":)", time.seconds);
     if (time.feed_most > 0) at = put_field(at, R"(,"feed_max":)", time.feed_most);
     if (time.feed_end) at = put_field(at, R"(,"feed_end":)", *time.feed_end);

@@ -70,7 +70,7 @@ class TraceWriter {
   bool writes_program_ends_ = true;
   std::vector<std::string> keys_;  // names of the axes as JSON keys, e.g. "X":
   std::vector<std::string> names_;
-  std::size_t line_room_ = 0;  // greatest number of characters in the beginning of a line together with two positions
+  std::size_t line_room_ = 0;  // greatest number of characters that the beginning of a trace line and two positions need
   std::vector<double> points_;
   bool after_probe_ = false;  // true: the previous motion was a probe motion
 };

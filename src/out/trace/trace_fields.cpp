@@ -13,7 +13,8 @@ namespace {
 constexpr std::array<std::string_view, 5> dir_names = {"stop", "cw", "ccw", "orient", "position"};
 constexpr std::array<std::string_view, 3> coolant_names = {"off", "mist", "flood"};
 constexpr std::array<std::string_view, 3> coolant_codes = {"M9", "M7", "M8"};
-// Names of the stop reasons. The first two have no name here, since the field `do` of the trace line already states the reason.
+// Names of the stop reasons, in the order of the enum StopReason. The first two names are empty, since the field `do` of the trace line
+// already states those reasons.
 constexpr std::array<std::string_view, 4> reason_names = {"", "", "single_block", "message"};
 
 std::string field(std::string_view key, double value) { return ",\"" + std::string(key) + "\":" + number_string(value); }

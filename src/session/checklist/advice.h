@@ -21,7 +21,7 @@ struct Advice {
 /// The findings in the order of the run. Their number is limited to what a person would read.
 class Advices {
  public:
-  /// `args`: the arguments of the message, in the order that controls/alarms.toml states.
+  /// Adds a finding. `args`: the arguments of its message, in the order in which controls/alarms.toml states them.
   template <class... Args>
   void add(AlarmId id, const Origin& origin, char address, Args... args) {
     if (all_.size() < most) all_.push_back({advice(id, {}, AlarmArg(args)...), origin, address});
@@ -41,7 +41,8 @@ inline bool is_cut(const Motion& motion) {
   return motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline || motion.kind == MotionKind::thread;
 }
 
-/// Start and end of a motion in work coordinates, mm, as the watches need them. A coordinate is 0 if the control has no such axis.
+/// Start and end of a motion in work coordinates, mm, as the classes of this folder compare them. A coordinate is 0 if the control has no
+/// such axis.
 struct Ends {
   Vec3 from, to;
   bool turns;  // true: the motion is an arc. A full circle moves although its end equals its start

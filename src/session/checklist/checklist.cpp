@@ -1,4 +1,5 @@
-// Checklist: runs the watches and reports their findings. It is used by cli/check and view, and tested by tests/checklist.py.
+// Checklist: observes a run with the watches (classes that look for one kind of problem each) and reports their findings. It is used by
+// cli/check and view, and tested by tests/checklist.py.
 
 #include "session/checklist/checklist.h"
 
@@ -67,7 +68,7 @@ void Checklist::take(const Action& action) {
 std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   const Control& control = *session_.channels()[channel_].control;
   ControlDef def = session_.def();
-  // the result is ignored, since faults of the set-up have been reported before the run
+  // the result of fit_to_machine() is ignored, since faults of the set-up have been reported before the run
   (void)fit_to_machine(def, session_.channels()[channel_].setup);
   TextWatch text(def, most_rpm_of(session_.channels()[channel_].setup, session_.machine()));
   if (const auto source = control.source_of(0)) text.read(BlockReader(source, def.grammar, control.encoding()), stop);
@@ -79,7 +80,8 @@ std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   text.finish(advices);
   if (const auto& cut = levels_.ends_in_cut(); cut && !text.has_end() && !def.behaviour.end_required)
     advices.add(AlarmId::end_missing, *cut, 0);
-  const bool shared = session_.channels().size() > 1;  // true: a row that this channel does not use may be used by another channel
+  // True if other channels exist. They may use rows of the tool and offset tables that this channel does not use.
+  const bool shared = session_.channels().size() > 1;
   check_tables({basis_.tools, basis_.own_tools && !shared, basis_.own_setup && !shared}, text.named(), session_.channels()[channel_].setup,
                control.use(), advices);
   return reports_of(advices);

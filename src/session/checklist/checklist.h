@@ -23,11 +23,12 @@ class Checklist {
   Checklist(const Checklist&) = delete;  // not copyable: the session has a pointer to this object
   Checklist& operator=(const Checklist&) = delete;
 
-  /// Sets Outlets::programmed of the channel to take(). A caller that needs this outlet itself calls take() for each action instead.
+  /// Stores take() as the observer of the programmed contour in the channel's outlets (Outlets::programmed). A caller that needs this
+  /// observer itself calls take() for each action instead.
   void attach();
   void take(const Action& action);
-  /// Reads the whole text and returns the findings, in the order of the lines. A finding of one type is listed once per line. Findings that
-  /// the set-up disables are omitted. Call this function after the run.
+  /// Reads the whole text of the program and returns the findings, in the order of the lines. A finding of one type is listed once per
+  /// line. Findings that the set-up disables are omitted. Call this function after the run.
   std::vector<AlarmReport> reports(const StopToken& stop);
 
  private:

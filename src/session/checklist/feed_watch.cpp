@@ -50,7 +50,7 @@ void FeedWatch::take_motion(const Step& step, const Motion& motion, Advices& to)
   const Ends ends(step.roles, step.from, motion);
   const bool moves = ends.sideways() || std::fabs(ends.to.z - ends.from.z) > Ends::least_travel;
   if (!is_cut(motion) || motion.kind == MotionKind::thread || !moves || motion.feed <= 0) return;
-  // limits of plausible feeds: least and greatest in mm/min, greatest in mm/rev
+  // Limits of plausible feeds: the least and the greatest feed in mm/min, and the greatest feed in mm/rev.
   constexpr double least = 1, most = 100'000, most_a_turn = 5;
   const char* const unit = motion.unit == FeedUnit::mm_per_rev ? "mm/rev" : "mm/min";
   const bool per_minute = motion.unit == FeedUnit::mm_per_min, per_turn = motion.unit == FeedUnit::mm_per_rev;

@@ -23,14 +23,14 @@ bool turns(const Step& step, const Motion& motion) {
 
 }  // namespace
 
-/// Records the end of a motion. A coordinate is isolated if only one block has it and its distance from all other coordinates is many times
-/// their range.
+/// Records the coordinates of the end of a motion. finish() reports a coordinate as far from all others if only one block has it and its
+/// distance from the others is many times their range.
 void LevelWatch::take_point(const Ends& ends, const Origin& origin) {
   const std::array values{ends.to.x, ends.to.y, ends.to.z}, came_from{ends.from.x, ends.from.y, ends.from.z};
   for (std::size_t i = 0; i < values.size(); ++i) {
     Span& span = spans_[i];
     const double v = values[i];
-    // the motion does not move this axis, so the coordinate comes from an earlier block and is not counted again
+    // the motion does not move this axis, so its coordinate comes from an earlier block and has been counted there
     if (std::fabs(v - came_from[i]) < level) continue;
     const auto take = [&](std::array<double, 2>& best, std::array<Origin, 2>& where, double sign) {
       if (sign * v > sign * best[0]) {
@@ -61,16 +61,17 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   if (ends.to.z != ends.from.z) z_by_machine_ = false;
   if (plunge_ && is_cut(motion) && ends.sideways() && std::fabs(ends.from.z - plunge_->z) < level &&
       std::fabs(ends.to.z - plunge_->z) < level)
-    // after the rapid straight down the tool moves sideways at feed at the same height, so the rapid itself has entered the material
+    // The tool moved down in a rapid and now moves sideways at feed at the same height. So the rapid itself has entered the material.
     if (!is_drilled(*plunge_)) note_low(*plunge_);
   plunge_.reset();
-  // the tool cuts directly after the sideways rapid, so the rapid did not leave the part
+  // The tool cuts directly after a sideways rapid at a low Z. So the rapid moved at the height of the material.
   if (sideways_ && is_cut(motion)) note_low(*sideways_), sideways_.reset();
   if (motion.of_cycle && to_hole_ && to_hole_->second.number == origin.number) take_point(to_hole_->first, origin);
   to_hole_.reset();
   if (motion.kind == MotionKind::rapid && ends.sideways()) {
     if (motion.of_cycle) take_point(ends, origin);
-    else to_hole_.emplace(ends, origin);  // a canned cycle may start in the same block, and then the end of the rapid is a hole
+    // A canned cycle may start in the block of the rapid. In that case the end of the rapid is the position of a hole.
+    else to_hole_.emplace(ends, origin);
   }
   if (motion.of_cycle && is_cut(motion) && ends.down() && drilled_.size() < max_drilled) drilled_.push_back(ends.to);
   if (is_cut(motion)) {
@@ -89,7 +90,7 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
     const bool below = ends.to.z < -level && (from_machine || ends.from.z < -level || ends.down());
     if (below && ends.down() && !ends.sideways() && ends.to.z < lowest_ - level)
       plunge_ = Low{origin, AlarmId::rapid_below_zero, ends.to.x, ends.to.y, ends.to.z};
-    constexpr double least_travel = 2;  // mm; a shorter rapid after a cut is ignored
+    constexpr double least_travel = 2;  // mm; a sideways rapid directly after a cut is ignored if it is shorter than this
     const bool straight_from_cut = was_cut_ && std::fabs(ends.to.z - ends.from.z) < level &&
                                    std::hypot(ends.to.x - ends.from.x, ends.to.y - ends.from.y) > least_travel;
     if (ends.sideways()) sideways_.reset();
@@ -117,7 +118,7 @@ void LevelWatch::take(const Step& step, Advices& to) {
     take_change(step.action.origin, to);
 }
 
-/// True if a canned cycle has drilled a hole where the rapid `low` ends, at least to the depth of that end.
+/// True if a canned cycle has drilled a hole at the position where the rapid `low` ends, at least as deep as the end of the rapid.
 bool LevelWatch::is_drilled(const Low& low) const {
   constexpr double near = 1;  // mm; greatest distance at which two positions count as the same
   return std::any_of(drilled_.begin(), drilled_.end(),
@@ -125,22 +126,22 @@ bool LevelWatch::is_drilled(const Low& low) const {
 }
 
 void LevelWatch::judge_lows(Advices& to) const {
-  // Greatest number of findings of one type that are reported. If there are more, they are probably intended: a CAM system knows where the
-  // material is already removed.
+  // Greatest number of findings of one type that are reported. If there are more, the low rapids are probably intended, since a CAM system
+  // knows where the material is already removed.
   constexpr std::ptrdiff_t most = 2;
   const auto like = [this](AlarmId id) { return std::count_if(lows_.begin(), lows_.end(), [id](const Low& low) { return low.id == id; }); };
   for (const Low& low : lows_) {
     const bool plunges = low.id == AlarmId::rapid_below_zero;
-    // Rapids below the part's zero are reported only if some motion enters the material at feed. Otherwise the tool may enter it through a
-    // hole or from outside the part. `border`: least distance of a reported rapid from the border of the cut region, inwards, mm. A contour
-    // starts at the border, and a rapid along the border is outside the part.
+    // Rapids below the part's zero are reported only if some motion enters the material at feed. Without such a motion the rapids may go
+    // through a hole or outside the part. `border`: least distance between a reported rapid and the border of the cut region, inwards, mm.
+    // A contour starts at the border, and a rapid along the border is outside the part.
     const double border = plunges ? -0.01 : 0.5;
     const auto inside = [border](const Span& s, double v) { return v > s.least[0] + border && v < s.most[0] - border; };
     if (like(low.id) <= most && inside(spans_[0], low.x) && inside(spans_[1], low.y) && (!plunges || feeds_down_ > 0))
       to.add(low.id, low.origin, plunges ? 'Z' : '\0', low.z);
   }
   if (only_below_ && below_ == 1 &&
-      // another rapid ends at the same height above the part's zero, so the minus sign of this Z is probably a mistake
+      // another rapid ends as far above the part's zero as this one ends below, so the minus sign of this Z is probably a mistake
       heights_.contains(std::llround(-only_below_->z * micrometre)))
     to.add(AlarmId::rapid_below_zero, only_below_->origin, 'Z', only_below_->z);
 }
@@ -156,8 +157,9 @@ void LevelWatch::finish(Advices& to) {
     const double others = high - low;
     if (!(others >= 0 && others < 1e299)) continue;
     const std::string range = fmt::format("{:.4g} … {:.4g}", low, high);
-    constexpr double unknown = 250;  // mm; if all other coordinates are equal, a coordinate farther from them than this value is reported
-    // a coordinate is reported if its distance from the others exceeds both `many` times their range and `least` mm
+    // mm; least distance at which a coordinate is reported if all other coordinates of its axis are equal
+    constexpr double unknown = 250;
+    // A coordinate is reported if its distance from the other coordinates of its axis exceeds both `least` mm and `many` times their range.
     const double many = i == 2 ? 10 : 5, least = i == 2 ? 50 : 20;
     const auto is_far = [&](double by) { return by > many * others && by > (others > 0 ? least : unknown); };
     if (is_far(s.most[0] - high) && !is_far(low - s.least[0]))

@@ -18,7 +18,7 @@ class LevelWatch {
  public:
   void take(const Step& step, Advices& to);
   void finish(Advices& to);
-  /// Returns the location of the last motion if it was a cut, sideways or down, to a Z below the highest Z that rapids have reached;
+  /// Returns the location of the last motion if it was a cut, sideways or down, that ended below the highest Z to which rapids have moved;
   /// nullopt otherwise. A program that ends with such a cut is probably incomplete.
   const std::optional<Origin>& ends_in_cut() const { return in_cut_; }
 
@@ -57,9 +57,9 @@ class LevelWatch {
     std::array<Origin, 2> at_least, at_most;
   };
   std::size_t feeds_down_ = 0;     // number of motions straight down into the part at feed
-  std::set<long long> heights_;    // heights at or above the part's zero at which rapids straight down end, µm
+  std::set<long long> heights_;    // heights, µm, at which rapids straight down end, if they end at or above the part's zero point
   std::size_t below_ = 0;          // number of rapids straight down that end below the part's zero point
-  std::optional<Low> only_below_;  // the first rapid that below_ counts
+  std::optional<Low> only_below_;  // the first rapid straight down that ends below the part's zero point
   // start and end of the previous motion, if it was a rapid; a canned cycle may start after it in the same block
   std::optional<std::pair<Ends, Origin>> to_hole_;
   std::optional<Low> sideways_;   // a sideways rapid at a low Z that no cut has followed yet

@@ -92,9 +92,9 @@ void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
     to.add(AlarmId::arc_nearly_full, arc.origin, 'G', std::floor(arc.degrees * 10) / 10, apart);
 }
 
-/// Ends the contour. If the contour is closed, the motions before and after its start are compared too.
+/// Ends the contour. If the contour is closed, its last motions are compared with its first motions too.
 void PathWatch::close() {
-  constexpr double same = 0.01;  // mm; a smaller gap between end and start counts as closed
+  constexpr double same = 0.01;  // mm; a contour counts as closed if its end is closer than this to its start
   if (last_[0] && last_[1] && first_.size() > 1) {
     const Vec2 apart = last_[1]->to - first_[0].from;
     if (length(apart) < same) {
@@ -127,7 +127,7 @@ void PathWatch::look_at_side(const Step& step, const Motion& motion, Advices& to
   } else if (!compensated) {
     side_.reset();
   }
-  constexpr int certain = 2;  // number of cuts after the end of compensation from which on the finding is reported
+  constexpr int certain = 2;  // A compensation that ends during a cut is reported if at least this many cuts follow its end.
   if (ends_here) {
     ended_.reset();
     if (is_cut(motion)) ended_ = origin, cuts_since_ = 0;
@@ -156,7 +156,8 @@ void PathWatch::take(const Step& step, Advices& to) {
 
 void PathWatch::finish(Advices& to) {
   close();
-  constexpr std::size_t slips = 2;  // greatest number of lines with such arcs that are reported; more of them are probably intended
+  // Greatest number of lines with arcs against their neighbours that are reported. More of them are probably intended.
+  constexpr std::size_t slips = 2;
   std::set<std::uint32_t> lines;
   for (const auto& [origin, other] : kinks_) lines.insert(origin.line);
   if (lines.size() <= slips)

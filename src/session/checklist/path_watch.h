@@ -13,12 +13,12 @@ namespace kadr {
 
 class PathWatch {
  public:
-  /// `step`: a step of the programmed path, without cutter compensation.
+  /// Processes a step of the programmed path, that is, of the path without cutter compensation.
   void take(const Step& step, Advices& to);
   void finish(Advices& to);
 
  private:
-  /// A motion at feed in the plane, with the values that are compared with the motions before and after it.
+  /// A motion at feed in the working plane, with the values that are compared with those of the motions before and after it.
   struct Piece {
     Origin origin;
     bool arc = false, ccw = false, full = false, helix = false, inch = false;
@@ -39,11 +39,11 @@ class PathWatch {
   // arcs that reverse the direction of motion at both ends, each with the code (G2 or G3) that would fit
   std::vector<std::pair<Origin, const char*>> kinks_;
   std::vector<Piece> first_;    // the first two motions of the contour; if the contour is closed, they are compared with its last motions
-  std::optional<Origin> side_;  // location of the first motion with the compensation in force
+  std::optional<Origin> side_;  // location of the first motion with the cutter compensation that is in force
   const char* side_code_ = "G41";
-  bool compensated_ = false;  // true: the previous motion was compensated
-  /// The location where compensation has ended during a cut. cuts_since_ counts the cuts in the plane after this location that stay at the
-  /// same depth.
+  bool compensated_ = false;  // true: the previous motion was made with cutter compensation
+  /// The location where cutter compensation has ended during a cut. The member cuts_since_ counts the cuts after this location that move in
+  /// the plane at the same depth.
   std::optional<Origin> ended_;
   int cuts_since_ = 0;
 };

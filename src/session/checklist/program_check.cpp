@@ -15,7 +15,8 @@ namespace {
 
 // greatest number of faults of one program; a text with more is probably no program for this control
 constexpr std::size_t max_faults = 1000;
-// greatest number of repetitions of known faults; after more, the program is in a loop that only fails
+// Greatest number of repetitions of faults that have been reported already. After more repetitions the check ends, since the program is
+// probably in an endless loop with a fault.
 constexpr std::size_t most_again = 100'000;
 
 bool holds_only_subs(const Session& session) {

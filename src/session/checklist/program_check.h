@@ -17,7 +17,8 @@ namespace kadr {
 
 class ProgramCheck {
  public:
-  /// A function that receives the findings in the order described above. It returns false to receive no more findings of that channel.
+  /// A function of the caller that receives the findings in this order: faults, checklist, unstated values. It returns false to receive no
+  /// more findings of that channel.
   using Take = std::function<bool(std::size_t channel, const AlarmReport& report)>;
 
   struct CheckRequest {

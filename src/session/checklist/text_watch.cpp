@@ -199,7 +199,7 @@ void TextWatch::note_call(const Block& block, const Word& code) {
   if (!(number >= 0 && number < 1e9) || calls_.size() >= max_numbers) return;
   const auto n = static_cast<std::uint32_t>(std::llround(number));
   calls_.insert(n);
-  // M98 P30100 calls O0100 three times, so the last four digits are stored as the program number
+  // in M98 P30100 the first digit is the number of calls and the last four are the program number, so only the last four are stored
   if (code.address == 'M') calls_.insert(n % 10'000);
 }
 
@@ -273,7 +273,7 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
     for (unsigned n = 0; n % now_and_then != 0 || !stop.requested(); ++n) {
       block.clear();
       const auto got = reader.next(block);
-      if (!got) continue;  // the control reports a fault in the text by an alarm, so the block is skipped here
+      if (!got) continue;  // the control reports a fault of the block by an alarm, so the block is skipped here
       if (*got == BlockReader::Got::end) break;
       take_block(block);
     }
@@ -314,7 +314,8 @@ void TextWatch::finish(Advices& to) {
     }
     if (s.after_end && !s.has_targets && !has_o_words_ && !def_.has_lines_alone())
       to.add(AlarmId::lines_unreachable, *s.after_end, 0, double(s.lines_after_end));
-    constexpr std::uint32_t of_codes = 9000;  // a program from this number on may be called by a code that a parameter defines
+    // a program with at least this number may be called by a code that a parameter defines, so the text need not call it
+    constexpr std::uint32_t of_codes = 9000;
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
       to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));
   }

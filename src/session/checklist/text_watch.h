@@ -38,7 +38,8 @@ class TextWatch {
     Origin begins;
     bool ends_program = false, returns = false;
     std::map<std::uint32_t, std::uint32_t> jumps;  // block number that is the target of a jump → line of the jump
-    // target of a jump → number of blocks with this block number; counted when the text is read a second time
+    // Block number to which a block jumps → number of blocks that have this block number. They are counted when the text is read a second
+    // time.
     std::map<std::uint32_t, std::uint32_t> twice;
     std::optional<Origin> after_end;  // location of the first motion after the end of the program
     std::uint32_t lines_after_end = 0;
@@ -64,20 +65,22 @@ class TextWatch {
   const double most_rpm_;
   NamedInText named_;
   std::vector<Advice> found_;
-  // counts of numbers with and without a decimal point, for the finding of missing points
+  // Two counts for the finding about missing decimal points: numbers with a decimal point, and numbers without.
   std::size_t with_point_ = 0, without_point_ = 0;
   std::vector<Advice> pointless_;
   bool inch_ = false;
-  // State of the drilling cycle at the present block of the text. absolute_: G90 is in force; false if that is uncertain. in_xy_: G17 is in
-  // force.
+  // State of the drilling cycle at the present block of the text. The member absolute_ is true if G90 is in force, and false if that is
+  // uncertain. The member in_xy_ is true if G17 is in force.
   bool in_cycle_ = false, absolute_ = true, in_xy_ = true;
-  std::optional<Advice> cancelled_;  // a canned cycle that a motion code has cancelled
-  bool lost_ = false;                // true: later blocks contain only positions, at which the cancelled cycle no longer drills
+  // finding about a canned cycle that a motion code (e.g. G0) has cancelled; it is reported only if G80 follows later
+  std::optional<Advice> cancelled_;
+  // true: blocks after the cancelled cycle contain only positions, as if the cycle were still in force; the control does not drill there
+  bool lost_ = false;
   std::optional<double> level_, bottom_;
   // modes that the text has set so far
   bool began_ = false;         // true: a motion has been read
   std::set<Function> stated_;  // functions that the text states before its first motion
-  // functions that are on: the location where each function was switched on last, and its code
+  // Function that the text has switched on and not off → location of the block that switched it on last, and its code.
   std::map<Function, std::pair<Origin, std::string>> switched_on_;
   bool main_over_ = false;  // true: the end of the main program has been read
   // flow of the program: jumps, calls and ends

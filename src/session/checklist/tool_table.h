@@ -26,7 +26,8 @@ std::shared_ptr<const ToolTable> tool_table_next_to(const std::string& program, 
 /// What the checklist uses in addition to the run of the program.
 struct ChecklistBasis {
   std::shared_ptr<const ToolTable> tools{};
-  bool own_tools = true, own_setup = true;  // true: only this program uses the tools file (own_tools) or the set-up (own_setup)
+  // Two flags. own_tools: only this program uses the tools file; own_setup: only this program uses the set-up.
+  bool own_tools = true, own_setup = true;
 };
 
 }  // namespace kadr

@@ -68,7 +68,7 @@ void ToolWatch::take(const Step& step, Advices&) {
         zero_speeds_ += rpm_ == 0;
       },
       [&](const MachineFunction& function) {
-        constexpr std::uint32_t rigid_tapping = 29;  // M29: rigid tapping on Fanuc and Haas, by a convention of machine builders
+        constexpr std::uint32_t rigid_tapping = 29;  // the number of M29, which machine builders use for rigid tapping on Fanuc and Haas
         taps_rigidly_ = taps_rigidly_ || function.code == rigid_tapping;
       },
       [&](const CoolantSwitch& coolant) { coolant_ = coolant.what != Coolant::off; },
@@ -82,7 +82,8 @@ void ToolWatch::take(const Step& step, Advices&) {
         if (change.tool == now().tool && !now().cuts) return;
         if (stints_.size() < max_tool_periods) stints_.emplace_back();
         now().tool = change.tool;
-        now().started = started_since_cut_;  // the program may state S and M3 before the tool change
+        // A spindle start before the tool change counts for the new tool, since the program may state S and M3 before the tool change.
+        now().started = started_since_cut_;
       },
       ignores<Dwell, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak,
               CompensationCorner, CompensationCheck>);
@@ -159,7 +160,8 @@ void ToolWatch::judge_rows(Rows ToolPeriod::*rows, AlarmId id, char address, Adv
 }
 
 void ToolWatch::judge_systems(const std::vector<std::string>& names, Advices& to) const {
-  constexpr std::size_t enough = 3;  // least number of tools that must use the same work offset
+  // Least number of tools that must use the same work offset, so that a tool with another work offset is reported.
+  constexpr std::size_t enough = 3;
   std::map<std::uint32_t, std::set<std::uint32_t>> users;
   std::size_t several = 0;  // number of tools that use several work offsets
   std::set<std::uint32_t> tools;

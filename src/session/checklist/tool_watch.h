@@ -15,7 +15,7 @@ namespace kadr {
 class ToolWatch {
  public:
   void take(const Step& step, Advices& to);
-  /// `systems`: names of the work offsets, indexed by Motion::system.
+  /// Reports the findings after the run. `systems`: names of the work offsets; the index of a name is Motion::system.
   void finish(const std::vector<std::string>& systems, Advices& to);
 
  private:
@@ -47,7 +47,8 @@ class ToolWatch {
   bool coolant_ = false;
   bool started_since_cut_ = false;  // true: the spindle has started since the last cut
   bool taps_rigidly_ = false;
-  std::optional<std::uint32_t> cycle_block_;  // number (Origin::number) of the last block in which a canned cycle moves
+  // block number in the run (Origin::number) of the last block in which a canned cycle has moved the tool
+  std::optional<std::uint32_t> cycle_block_;
   bool asks_speed_ = false;                   // true: a spindle speed above 0 has been programmed
   std::size_t starts_ = 0;                    // number of spindle starts
   std::size_t zero_speeds_ = 0;               // number of spindle speeds of 0; the program of a laser states S0 for travel without cutting

@@ -17,7 +17,7 @@ namespace kadr {
 
 class AirLines {
  public:
-  // greatest number of stored lines; when it is exceeded, the half of the lines with fewer seconds is dropped
+  // Greatest number of lines whose times are stored. When it is exceeded, the half of the lines with the shorter times is dropped.
   static constexpr std::size_t most = 1 << 16;
 
   explicit AirLines(double cell, std::size_t max_kept = most) : reach_(2 * cell), most_(max_kept) {}
@@ -31,7 +31,8 @@ class AirLines {
   void add(const Piece& piece);
   /// Returns the lines that spend time in the air, in descending order of that time.
   std::vector<AirCut> emptiest() const;
-  /// Returns the greatest error of the times, s: each line may have spent this much more time in the air than reported.
+  /// Returns the greatest error of the times that emptiest() returns, s. Each line may have spent up to this much more time in the air than
+  /// reported.
   double missing() const { return missing_; }
 
  private:
@@ -42,10 +43,11 @@ class AirLines {
 
   double reach_;
   std::size_t most_;
-  // The latest segments that removed nothing. They do not count as air yet, since they are together shorter than reach_.
+  // The latest consecutive segments that removed nothing. They do not count as air yet, since their path together is shorter than reach_.
   std::vector<Piece> row_;
   double row_length_ = 0;
-  bool in_air_ = false;  // true: the last reach_ mm of the path have removed nothing, so segments count as air at once
+  // true: the last reach_ mm of the path have removed nothing, so a further segment that removes nothing counts as air at once
+  bool in_air_ = false;
   std::map<Key, AirCut> lines_;
   double missing_ = 0;
 };

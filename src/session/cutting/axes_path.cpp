@@ -10,12 +10,13 @@ namespace kadr {
 namespace {
 
 constexpr int max_pieces_of_turn = 4096;
-// least number of segments of a motion with tool centre point control, on which the linear axes compensate for the rotation
+// Least number of segments of a motion with tool centre point control. On such a motion the linear axes compensate for the rotation, so
+// they do not move along straight lines.
 constexpr int least_tcp_pieces = 8;
-constexpr int max_halvings = 10;  // greatest number of times that each of these segments is halved
+constexpr int max_halvings = 10;  // greatest number of times that a segment of such a motion is halved
 
-/// Divides a motion on which the axes do not move along a straight line. The result is the segments between two fractions (0 to 1) of the
-/// motion.
+/// Divides a motion on which the axes do not move along a straight line into segments. Each step of the division treats the part of the
+/// motion between two fractions (0 to 1).
 class TcpAxesPath {
  public:
   TcpAxesPath(const Step& step, double chord, const AxesVisitor& visit) : step_(step), chord_(chord), visit_(visit) {}

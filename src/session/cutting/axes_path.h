@@ -8,7 +8,8 @@
 
 namespace kadr {
 
-/// A function that receives the machine position at the end of a segment, and the fraction (0 to 1) of the motion that is complete there.
+/// A function of the caller that receives the machine position at the end of a segment, and the fraction (0 to 1) of the motion that is
+/// complete there.
 using AxesVisitor = std::function<void(const Axes& to, double part)>;
 
 /// Calls `visit` for each segment of the step's motion in order. The first segment starts at step.from.machine. The position of a rollover

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-// Greatest travel in Z per mm of travel in the plane. For steeper motions no depth and width of cut are computed.
+// Greatest ratio of the travel in Z to the travel in the working plane. No depth and width of cut are computed for steeper motions.
 constexpr double steepest = 1;
 
 bool of_same_line(const Origin& a, const Origin& b) { return a.line == b.line && a.file == b.file; }
@@ -37,7 +37,8 @@ void BlockLoads::add(const CutMotion& m) {
   open_.push_back({m, sum, m.end_sweep});
 }
 
-/// Ends the current block. A block at least as long as reach_ is reported with its own values. Shorter blocks are collected.
+/// Ends the current block. A block whose path is at least reach_ mm long is reported with its own values. Shorter blocks are collected and
+/// get common values.
 void BlockLoads::end_block() {
   if (open_.empty()) return;
   if (open_.back().sum.length >= reach_) {
@@ -62,7 +63,8 @@ void BlockLoads::finish() {
   end_row();
 }
 
-/// Reports successive short blocks. Each block gets the mean values of all blocks of `row`.
+/// Reports the blocks of `row`, which are successive and short. Removal rate, feed and engagement of each block are the means over all of
+/// them.
 void BlockLoads::report_row(const std::vector<Block>& row) {
   Sum all;
   for (const Block& b : row) all.add(b.sum);

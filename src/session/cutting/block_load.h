@@ -32,10 +32,10 @@ class BlockLoads {
  public:
   explicit BlockLoads(double cell) : reach_(2 * cell) {}
 
-  /// A function that receives the results of each block.
+  /// A function of the caller that receives the table row of each block, with the results of the block.
   std::function<void(const BlockLoad&)> on_block;
-  /// A function that receives a removal rate, mm³/s, and the sweeps of the stock to which it applies: those from `first` up to but
-  /// excluding `end`.
+  /// A function of the caller that receives a removal rate, mm³/s, and the sweeps of the stock that have this rate: those with numbers from
+  /// `first` up to, but excluding, `end`.
   std::function<void(std::size_t first, std::size_t end, double rate)> on_rate;
 
   void add(const CutMotion& motion);

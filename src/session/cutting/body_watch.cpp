@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-// memory, bytes, that a triangle of a mesh needs in the collision library FCL, with its boxes and spheres
+// Memory, bytes, that the collision library FCL needs for a triangle of a mesh and for the bounding volumes around the triangle.
 constexpr double bytes_per_triangle = 1000;
 
 /// Converts a blank or fixture for the collision check to a box, cylinder or mesh.
@@ -19,8 +19,8 @@ WorkBody work_body(const NamedWork& work) { return {work.name, shape_of_words(wo
 class BodyFiles {
  public:
   BodyFiles(double most, std::vector<std::string>& notes, const FileAccess* door) : left_(most), notes_(notes), door_(door) {}
-  /// Subtracts the memory for the mesh from the available memory. Returns an error sentence if too little is available, otherwise an empty
-  /// string.
+  /// Subtracts the memory that the mesh needs from the memory that is still available. Returns an error sentence if it does not suffice,
+  /// otherwise an empty string.
   std::string take(const std::string& name, const Mesh& mesh) {
     left_ -= bytes_per_triangle * double(mesh.triangle_count());
     return left_ >= 0 ? std::string() : translated(texts::cutting::body_needs_memory, name);

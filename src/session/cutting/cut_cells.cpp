@@ -13,8 +13,9 @@ namespace kadr {
 namespace {
 
 constexpr double share_for_material = 0.5;  // fraction (0 to 1) of the memory limit for the material; the rest is for the surface
-constexpr double share_of_cell = 0.02;      // volume error per mm² of surface, as a fraction of the cell size (docs/stock.md)
-constexpr double cells_to_see = 2;          // least number of cells across the diameter of a tool, so that the cuts of the tool are visible
+// Error of a measured volume, in mm³ per mm² of surface, as a fraction of the cell size (docs/stock.md).
+constexpr double share_of_cell = 0.02;
+constexpr double cells_to_see = 2;  // least number of cells across the diameter of a tool, so that the cuts of the tool are visible
 // Greatest number of tools in the tools file of a single job. A file with more tools is a library, of which the program uses only some.
 constexpr std::size_t tools_of_a_job = 24;
 
@@ -27,8 +28,8 @@ double finest_of(const ToolLibrary& tools) {
   return finest;
 }
 
-/// Returns the triangles of the surface whose position may be inexact. For a box these are the cut triangles, since the uncut faces of a
-/// box are exact.
+/// Returns the triangles of the remaining stock's surface whose position may be inexact. If the blank is a box, these are the triangles
+/// that tools have cut, since the uncut faces of a box are exact.
 Mesh uncertain_part(const Surface& surface, const Blank& blank) {
   constexpr double same_volume = 1e-9;
   const Vec3 size = blank.box().most - blank.box().least;
@@ -67,7 +68,8 @@ bool find_cells(double resolution, const std::optional<Box3>& window, double max
   }
   job.window = blank_within(job.blank, *window);
   if (!job.window || !(job.window->volume() > 0)) return false;
-  // The lattice of the whole blank need not have finer cells than the window. The whole blank and the window each get half of the memory.
+  // The cells of the whole blank are not finer than those of the window. The lattices of the whole blank and of the window each get half of
+  // the memory.
   job.cell = std::max(cell_for(job.blank->box(), most / 2), resolution);
   job.window_cell = resolution > 0 ? resolution : std::min(cell_for(job.window->box(), most / 2, finest_of(job.tools)), job.cell);
   return true;

@@ -23,22 +23,25 @@ class CutRun {
   CutRun(Session& session, const CutJob& cut, MachineWatch* watch);
   CutRun(const CutRun&) = delete;  // not copyable: the session has a pointer to this object
 
-  /// A function that receives the alarms, warnings and notes of the program, and the alarm about a tool whose shape is unknown.
+  /// A function of the caller that receives the alarms, warnings and notes of the program, and the alarm about a tool whose shape is
+  /// unknown.
   std::function<void(const AlarmReport&)> on_report;
-  /// A function that receives each collision, together with the alarm or warning that describes the collision and its location.
+  /// A function of the caller that receives each collision, together with the alarm or warning that describes the collision and its
+  /// location.
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
-  /// Sets the function that receives what each block has removed, with the name of the block's file. To be called before the first step.
+  /// Sets the function of the caller that receives what each block has removed, and the name of the file with that block. To be called
+  /// before the first step.
   void on_block(std::function<void(const BlockLoad&)> take);
-  /// A function that receives a sentence about each input value that is questionable but used unchanged.
+  /// A function of the caller that receives a sentence about each input value that is questionable but used unchanged.
   std::function<void(const std::string&)> on_note;
 
-  /// Connects this object to the outlets of the session, which replaces their functions.
+  /// Makes this object the observer of the session: replaces the functions in the session's outlets by functions of this object.
   void attach(const StopToken& stop, ProgressDisplay* progress_display = nullptr);
   /// Declares that no step follows. All motions that have not been cut yet are cut now.
   void finish();
 
   const Cutting& cutting() const { return cutting_; }
-  /// Adds the file names to the result, and to each finding the calls that led to its block.
+  /// Returns the result with the names of the program files, and with the calls that led to the block of each finding.
   CutResult named(CutResult result) const;
   PartResult part_result(const PartComparison& c) const;
   std::size_t alarms() const { return alarms_; }

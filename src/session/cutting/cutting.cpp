@@ -17,8 +17,8 @@ constexpr std::size_t batch_sweeps = 1 << 15;
 constexpr std::size_t max_waiting = 100'000;  // greatest number of motions stored until the work coordinates of the blank are known
 constexpr std::size_t max_findings = 1000;    // greatest number of findings that are listed; further findings are only counted
 constexpr double sideways = 0.01;             // greatest travel of a drill across its axis while it cuts, mm
-constexpr double chord_of_cell = 1.0 / 2000;  // tolerance of the chords of an arc, as a fraction of the cell size
-constexpr double greatest_chord = 2e-4;       // greatest tolerance of the chords of an arc, mm: below the least increment of controls
+constexpr double chord_of_cell = 1.0 / 2000;  // greatest deviation of chords from their arc, as a fraction of the cell size
+constexpr double greatest_chord = 2e-4;       // greatest deviation of chords from their arc, mm: below the least increment of controls
 
 constexpr double seconds_a_minute = 60;
 constexpr Vec3 upright{0, 0, 1};
@@ -70,7 +70,7 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     seen_->keep_past(job.past_bytes);
   }
   for (const auto& body : job.fixtures) fixtures_.push_back(std::make_unique<Stock>(body, job.cell, job.threads));
-  double finest = job.cell;  // the same sweep must have the same number in all stocks, so all stocks use the chords of the finest lattice
+  double finest = job.cell;  // least cell size of all stocks; all of them use its chords, so a sweep has the same number in each stock
   each_other([&](const Stock& other) { finest = std::min(finest, other.lattice().cell()); });
   stock_.divide_as(finest);
   each_other([&](Stock& other) { other.divide_as(finest); });
@@ -131,7 +131,7 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
   const ToolShape shape = shape_of(*geometry);
   const std::uint16_t number = stock_.add_tool(shape);
   each_other([&](Stock& other) { (void)other.add_tool(shape); });
-  if (shape.turns()) {  // the second index is the tool without its insert, which is used while the insert is in a thread groove
+  if (shape.turns()) {  // a turning tool is added once more without its insert, for motions of the insert in a thread groove
     (void)stock_.add_tool(holder_of(shape));
     each_other([&](Stock& other) { (void)other.add_tool(holder_of(shape)); });
   }
@@ -155,7 +155,7 @@ AlarmId Cutting::fault_of(const Motion& motion, const std::vector<PathSegment>& 
   return down && !tool.plunges ? AlarmId::plunge : no_alarm;
 }
 
-/// Returns the axes along which the position is unknown. For a turning tool it is enough if X or Y is known.
+/// Returns which of the axes X, Y, Z have an unknown position. For a turning tool, X and Y count as known if one of them is known.
 AxisMask Cutting::unknown_now() const {
   const ToolGeometry* const tool = job_.tools.find(tool_);
   const bool turns = tool != nullptr && tool->kind == ToolKind::turning;
@@ -191,11 +191,11 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   const Motion* const motion = step.motion();
   result_.seconds = std::max(result_.seconds, time.begins + time.seconds + step.pause);
   tool_path_.take(step, pieces_);
-  if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // a motion without travel also states a position
+  if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // without travel nothing is cut, but the position is known
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || time.begins >= job_.until) return {};
-  if (motion->in_hole == HoleWork::clear_of_wall) return {};  // the only cutting edge of the boring bar points away from the wall
+  if (motion->in_hole == HoleWork::clear_of_wall) return {};  // the only cutting edge of the boring bar is off the hole's wall
   shift_by_length();
-  if (!place_known(*motion) && !is_cutting(motion->kind)) {  // the start of this motion is unknown, so at most its end is used
+  if (!place_known(*motion) && !is_cutting(motion->kind)) {  // the start of this rapid is unknown, so only its end is used, if it is known
     if (unknown_now() != 0) return {};
     const PathSegment last = pieces_.back();
     pieces_.assign(1, {last.to, last.to, 0, 1, last.to_direction, last.to_direction});
@@ -325,9 +325,9 @@ void Cutting::count_removed() {
   }
 }
 
-/// Reports the contacts of each motion, as one finding per kind of fault. `of_fixture`: the contacts are with a fixture.
+/// Reports the contacts of the tool as findings, one finding per motion and kind of fault. `of_fixture`: contacts with a fixture.
 void Cutting::report_touches(const std::vector<Touch>& touches, bool of_fixture) {
-  std::map<std::pair<std::size_t, AlarmId>, std::pair<Box3, double>> around;  // (index in batch_, fault) → (box, volume)
+  std::map<std::pair<std::size_t, AlarmId>, std::pair<Box3, double>> around;  // (motion in batch_, fault) → contacts (box, volume)
   for (const Touch& t : touches) {
     const auto after = std::upper_bound(batch_.begin(), batch_.end(), std::size_t(t.sweep),
                                         [](std::size_t s, const Moved& m) { return s < m.first_sweep; });
@@ -362,7 +362,7 @@ AlarmId Cutting::fault_of_touch(const Moved& moved, ToolPart part, bool of_fixtu
 void Cutting::keep(const CutFinding& finding) {
   const bool is_warning = finding.id == AlarmId::no_coolant;
   if (is_warning && std::find(job_.disabled.begin(), job_.disabled.end(), finding.id) != job_.disabled.end()) return;
-  if (is_warning && !without_coolant_.insert(finding.origin.line).second) return;  // only one warning per line is reported
+  if (is_warning && !without_coolant_.insert(finding.origin.line).second) return;  // only one warning per program line is reported
   auto& list = is_warning ? result_.warnings : result_.collisions;
   if (list.size() >= max_findings) {
     ++result_.not_listed;

@@ -29,8 +29,8 @@
 
 namespace kadr {
 
-/// The time at which the machine really executes a step: begin, s since the start of the program, and duration, s. It is later than the
-/// programmed time if accelerations or limits delay the machine.
+/// The time at which the machine really executes a step: its begin, s since the start of the program, and its duration, s. Accelerations or
+/// limits of the machine may delay the begin compared with the programmed time.
 struct MachineTime {
   double begins = 0, seconds = 0;
 };
@@ -48,19 +48,22 @@ struct CutJob {
   std::shared_ptr<const Blank> window;
   double window_cell = 0;      // cell size of the window's lattice, mm
   double seen_cell = 0;        // cell size of the coarser stock that can be displayed at any instant, mm; 0: no coarser stock
-  std::size_t past_bytes = 0;  // memory in which the coarser stock stores its past, bytes: Stock::keep_past()
+  std::size_t past_bytes = 0;  // memory, bytes, for earlier states of the coarser stock; see Stock::keep_past()
   int threads = 1;
-  std::optional<std::uint16_t> system;  // number of the work offset for the path, see ToolPath; nullopt: that of the first motion at feed
-  std::optional<Axes> apart;            // rapid rates of the axes, if each axis moves at its own rate, see ToolPath
-  bool wants_coolant = false;           // true: cutting without coolant is reported as a warning
-  std::vector<AlarmId> disabled;        // warnings that are not reported
-  std::uint32_t tool = 0;               // number of the tool in the spindle at the start
+  // Number of the work offset in whose work coordinates the path of the tool is computed (see ToolPath); nullopt: the one in force at the
+  // first motion at feed.
+  std::optional<std::uint16_t> system;
+  // rapid rates of the axes, if in a rapid each axis moves at its own rate (see DogLeg); nullopt: rapids are straight lines
+  std::optional<Axes> apart;
+  bool wants_coolant = false;     // true: cutting without coolant is reported as a warning
+  std::vector<AlarmId> disabled;  // warnings that the user has disabled, so that they are not reported
+  std::uint32_t tool = 0;         // number of the tool in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;
   double rpm = 0;            // spindle speed at the start, rev/min
   bool keeps_rates = false;  // true: the removal rates are recorded for Cutting::rates()
   // true: the set-up states the start position; false: the position is known after X, Y and Z have each been programmed
   bool starts_known = false;
-  double until = 1e300;  // instant of the program, s, after which motions are not cut
+  double until = 1e300;  // time since the start of the program, s, after which motions no longer cut
   StopToken stop;
 };
 
@@ -68,15 +71,16 @@ class Cutting {
  public:
   Cutting(const CutJob& job, const AxisRoles& roles);
 
-  /// A function that receives the findings, batch by batch, in the order of the program.
+  /// A function of the caller that receives the findings, batch by batch, in the order of the program.
   std::function<void(const CutFinding&)> on_finding;
-  /// A function that receives what each block has removed at feed, in the order of the program. It is called later than the block's steps
-  /// arrive, by a batch and some blocks.
+  /// A function of the caller that receives what each block has removed at feed, in the order of the program. It is called only after the
+  /// batch with the motions of the block has been cut and some further blocks have followed.
   std::function<void(const BlockLoad&)> on_block;
 
   /// Processes a step. Returns the alarm tool_without_shape if the shape of the tool is unknown, so that the step cannot be cut.
   Status consume(const Step& step, const MachineTime& time);
-  /// Adds a finding of another check. It is reported together with the findings that the stock makes in the same batch.
+  /// Adds a finding of another check, e.g. of the machine's bodies. It is reported together with the findings of the current batch of
+  /// motions.
   void also(const CutFinding& finding) { others_.push_back(finding); }
   /// Cuts the motions that have not been cut yet. To be called after the last step.
   void finish();
@@ -112,12 +116,14 @@ class Cutting {
     AlarmId fault = no_alarm;  // the alarm to report if the cutting edges of the tool remove material on this motion
     bool cuts = false, lacks_coolant = false;
     double begins = 0, seconds = 0, length = 0, flat = 0;
-    double whole = 0;                // duration of the whole motion, s; `seconds` ends at CutJob::until
-    double diameter = 0, teeth = 0;  // diameter and teeth per second, as in CutMotion
+    double whole = 0;  // duration of the whole motion, s; the member `seconds` counts only the time until CutJob::until
+    // diameter of the tool, mm, and number of teeth that pass a point of the material per second, as in CutMotion
+    double diameter = 0, teeth = 0;
     Vec3 at;
-    Vec2 radius;                              // for turning tools the unit vector from the axis of rotation towards the tool; otherwise 0
-    bool in_groove = false, threads = false;  // for turning tools: the insert moves in a thread groove; the motion cuts the thread
-    double lead = 0;                          // thread lead, mm; 0: the program states no lead
+    Vec2 radius;  // unit vector from the axis of rotation towards a turning tool; 0 for other tools
+    // Two flags for turning tools. in_groove: the insert moves in a thread groove; threads: the motion cuts the thread.
+    bool in_groove = false, threads = false;
+    double lead = 0;  // thread lead, mm; 0: the program states no lead
   };
   struct WaitingMotion {
     Moved moved;
@@ -130,7 +136,8 @@ class Cutting {
   bool is_in_groove(const Motion& motion);
   std::optional<std::uint16_t> shape_of_tool();
   AlarmId fault_of(const Motion& motion, const std::vector<PathSegment>& pieces, const ToolGeometry& tool) const;
-  /// Calls `visit` with each stock except the main stock: those of the window, the coarser cells and the fixtures.
+  /// Calls the function `visit` with each stock except that of the whole blank: with the stocks of the window, of the coarser cells and of
+  /// the fixtures.
   template <class Visit>
   void each_other(const Visit& visit) const;
   void add(const Moved& moved, const std::vector<PathSegment>& pieces, std::uint16_t shape);

@@ -17,7 +17,8 @@ constexpr double chord_of_axes = 0.002;
 constexpr std::size_t max_waiting_steps = 10'000;  // greatest number of steps stored until the work coordinates of the blank are known
 constexpr double same_length = 1e-9;               // mm; lengths that differ by less count as equal
 
-/// Returns the kinematics of the machine. If the machine's file has no [kinematics], the axes X, Y and Z carry the tool, in this order.
+/// Returns the kinematics of the machine. If the machine's file has no [kinematics], the result is a chain in which the axes X, Y and Z, in
+/// this order, carry the tool.
 MachineTree tree_of(MachineProfile machine, const std::vector<std::string>& axes) {
   if (!machine.chains.given()) {
     machine.chains.tool = {"X", "Y", "Z"};
@@ -230,7 +231,7 @@ void MachineWatch::execute(const Step& step, const InForce& in_force, std::vecto
   };
   if (in_force.known) along_axes_path(step, chord_of_axes, job_.apart, go);
   else go(motion.machine, 1);
-  // a later segment of the motion may deepen a collision of an earlier segment, so the depths at the end of the motion are compared too
+  // A collision of an earlier segment may be deeper at the end of the motion, so its depth there is compared with the depth found first.
   for (std::size_t i = 0; i < new_ones.size(); ++i) {
     double& depth = found[first_new + i].depth;
     depth = std::max(depth, bodies_.depth(new_ones[i].first, new_ones[i].second, at));

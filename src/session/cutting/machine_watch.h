@@ -29,7 +29,7 @@ struct WorkBody {
 
 class MachineWatch {
  public:
-  /// A function that reads the mesh file of a machine's body. It returns the mesh, or an error sentence.
+  /// A function of the caller that reads the mesh file of a machine's body. It returns the mesh, or an error sentence.
   using ReadMesh = std::function<tl::expected<Mesh, std::string>(const std::string& file)>;
 
   /// Creates the collision check. `axes`: names of the channel's axes, in their order.
@@ -93,7 +93,8 @@ class MachineWatch {
   Axes stand_{};
   std::vector<LinkPose> poses_;
   std::vector<BodyMeeting> met_;
-  std::vector<std::string> as_built_;  // notes about bodies that touch as built; they are reported at the first step
+  // notes about bodies of the machine that touch each other when all axes are at 0, reported at the first step
+  std::vector<std::string> as_built_;
   bool length_reported_ = false;
 };
 

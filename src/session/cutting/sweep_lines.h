@@ -19,7 +19,7 @@ class SweepLines {
     bool operator==(const Line&) const = default;
   };
 
-  /// Assigns `line` to all sweeps with numbers below `end` that have no line yet.
+  /// Assigns a program line to all sweeps with numbers below `end` that have no line yet.
   void fill(std::size_t end, Line line) {
     for (; size_ < end; ++size_) add(line);
   }

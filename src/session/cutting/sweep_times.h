@@ -58,7 +58,7 @@ class SweepTimes {
   }
 
   std::size_t size_ = 0;
-  std::deque<Run> runs_;  // sorted by `first` and by `begins`
+  std::deque<Run> runs_;  // the runs of sweeps with equal times, sorted by number of the first sweep and also by start time
 };
 
 }  // namespace kadr

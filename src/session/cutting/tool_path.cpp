@@ -14,11 +14,12 @@ namespace {
 // greatest number of segments per revolution; the chords are then accurate to 0.1 µm up to a radius of 340 mm
 constexpr int max_pieces = 4096;
 constexpr double same_position = 1e-9;  // mm; positions that differ by less count as equal
-// Assumed length of a tool, mm. An error of the tool's direction has its greatest effect at that distance from the tip.
+// Assumed length of a tool, mm. An error of the tool's direction moves the upper end of the tool the farthest, which is at this distance
+// from the tip.
 constexpr double reach = 100;
 constexpr double tilted_chord = 5e-4;  // tolerance for a tilted tool, mm; the sweeps of tilted tools are accurate to 2.5 µm (docs/stock.md)
 constexpr double turn_of_chord = 5;    // permitted deviation of the upper end of the tool, as a multiple of the tolerance of the tip
-// Degrees; a greater rotation is always divided, since its end direction may equal its start direction.
+// Degrees. A rotation greater than this is always divided, since after a great rotation the end direction may equal the start direction.
 constexpr double undivided = 45;
 constexpr int max_depth = 16;
 
@@ -27,7 +28,7 @@ bool has_rotary_axis(const MachineTree& tree) {
   return std::any_of(tree.tool().begin(), tree.tool().end(), turns) || std::any_of(tree.part().begin(), tree.part().end(), turns);
 }
 
-/// Returns the largest rotation that a rotary axis makes in the step, degrees.
+/// Returns the rotation of the rotary axis that turns the most in the step, degrees.
 double rotary_travel(const Step& step) {
   const Motion& motion = *step.motion();
   double most = 0;

@@ -44,7 +44,7 @@ class ToolPath {
   const std::optional<Vec3>& zero() const { return zero_; }
   /// Returns the tool length that the control applied on the last motion, along the tool's axis, mm.
   double length_in_force() const { return length_; }
-  /// Returns the zero point of the work coordinates in force now. It is used if the caller has named no work offset.
+  /// Returns the zero point of the work coordinates in force now, for callers that have not named the work offset to use.
   Vec3 present_origin() const { return work_origin_of(chain_, placement_); }
 
  private:

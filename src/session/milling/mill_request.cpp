@@ -82,7 +82,7 @@ bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>
   return false;
 }
 
-/// Returns the direction in which the scheme climb-mills: the uncut material is on the right of the tool.
+/// Returns the direction in which the tool climb-mills with this scheme, that is, with the uncut material on its right.
 Direction climb(Scheme scheme) { return scheme == Scheme::spiral_in ? Direction::cw : Direction::ccw; }
 
 /// Returns the stepover that the request states, in mm.

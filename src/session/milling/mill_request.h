@@ -26,7 +26,7 @@ struct MillRequest {
 ///   alarms  mill_value, mill_stepover
 Result<area::Job> mill_job(const MillRequest& request);
 
-/// Returns true if the name is valid. The functions …_names() list the valid names.
+/// True if the text is a valid name of a scheme, direction or plunge. The functions …_names() list the valid names.
 bool is_scheme(std::string_view name);
 bool is_direction(std::string_view name);
 bool is_plunge(std::string_view name);

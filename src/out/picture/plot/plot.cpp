@@ -51,7 +51,8 @@ void Plot::take_frame(const FrameChange& frame) {
   shift_ = origin - first_origin_;
 }
 
-/// Selects the work coordinates of the first cut as the coordinates of the picture, and converts everything drawn before to them.
+/// Selects the work coordinates of the first cut as the coordinates of the picture. Everything drawn before the first cut is converted to
+/// them.
 void Plot::take_reference() {
   path_.move_all(-1.0 * shift_);
   if (shaded_) shaded_->move_all(-1.0 * shift_);
@@ -102,7 +103,8 @@ void Plot::draw(PlotPath& path, const Step& step, Vec3 shift, Stroke stroke, Pro
   path.go(chain_.tip(step.from.space.get(), motion.to) + shift, stroke, 0, line);
 }
 
-/// Adds a motion of the programmed contour at feed. Motions on which cutter compensation starts or ends are omitted.
+/// Processes an action of the programmed contour, and draws it if it is a motion at feed. Motions on which cutter compensation starts or
+/// ends are omitted.
 void Plot::follow_programmed(const Action& action) {
   if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
     programmed_origin_ = work_origin_of(chain_, frame->placement);

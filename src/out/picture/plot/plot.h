@@ -17,9 +17,10 @@ struct PlotTitle {
   std::string file;
   std::string control;
   Lang lang = Lang::en;
-  std::string extents{};                         // text that states the range of each axis while cutting, as in the summary
-  LengthUnit unit = LengthUnit::mm;              // unit in which the picture states lengths
-  std::map<std::uint16_t, std::string> files{};  // names of the files that contain the program lines, by Origin::file
+  std::string extents{};             // text that states the range of each axis while cutting, in the form of the run's summary on stdout
+  LengthUnit unit = LengthUnit::mm;  // unit in which the picture states lengths
+  // names of the files that contain the program lines; the key is the file number Origin::file
+  std::map<std::uint16_t, std::string> files{};
 
   std::string_view file_of(const ProgramLine& line) const {
     const auto found = files.find(line.file);

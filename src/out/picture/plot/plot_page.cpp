@@ -21,11 +21,11 @@ namespace {
 constexpr double page_width = 1600, page_height = 1082, margin = 28, gap = 26;
 constexpr double title_height = 70, legend_height = 56;
 constexpr double planes_width = 560;
-// greatest distance from the cutting at which far rapids are shown, as a fraction of the size of the cutting
+// If far rapids are not shown completely, a view shows them up to this distance from the cutting, as a fraction of the size of the cutting.
 constexpr double near_reach = 0.25;
 constexpr double least_size = 1;  // least size of the box that a view shows, mm
-// Greatest ratio of the size of the whole path to that of the cutting at which all rapid motion is shown: in the isometric view, in a
-// plane. With a greater ratio the part would be drawn too small.
+// Two limits, for the isometric view and for the views of a plane: all rapid motion is shown if the size of the whole path is at most this
+// many times the size of the cutting. With a greater ratio the part would be drawn too small.
 constexpr double max_isometric = 4, most_plane = 1.5;
 
 std::string control_line(const PlotTitle& title) { return translated_in(title.lang, texts::picture::control, title.control); }

@@ -34,7 +34,8 @@ void PlotPath::go(Vec3 to, Stroke stroke, float shade, ProgramLine line) {
     cutting_box_.take(to);
   }
   ++seen_;
-  // The last point before a change of the stroke type is added, since without this point the corner would be at a wrong position.
+  // If the stroke type changes, the point before the change is stored although it is within the tolerance. Otherwise the new type would
+  // start at a wrong position.
   if (pending_ && stroke != last_.stroke && !points_.empty() && distance(points_.back().at, last_.at) > tolerance_ / 4) keep(last_);
   last_ = {to, stroke, shade, line};
   pending_ = tolerance_ > 0 && !points_.empty() && distance(points_.back().at, to) < tolerance_;
@@ -56,7 +57,8 @@ void PlotPath::thin() {
     for (std::size_t i = 1; i < points_.size(); ++i)
       if (distance(points_[i].at, points_[kept - 1].at) >= tolerance_) points_[kept++] = points_[i];
     points_.resize(kept);
-    if (tolerance_ == 0) points_.resize(1);  // tolerance 0 here means that the tool has never moved, so one point remains
+    // a tolerance of 0 means here that all points are equal, since the tool has never moved; one point remains
+    if (tolerance_ == 0) points_.resize(1);
   }
 }
 

@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr double same_pixel = 0.45;  // units of the page: a point closer than this to the previous point is on the same pixel
-// greatest number of segments in one path of Cairo, whose time grows faster than the length of the path
+// Greatest number of segments in one path that Cairo draws. The time that Cairo needs grows faster than the length of the path.
 constexpr int strokes_at_once = 400;
 constexpr double plunge_radius = 3.2;
 constexpr double beyond = 20'000;  // units of the page: coordinates beyond this value overflow the numbers of Cairo
@@ -24,7 +24,8 @@ Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp
 bool cut_to_reach(Vec2& from, Vec2& to) {
   double first = 0, last = 1;
   const Vec2 start = from, delta = to - from;
-  const auto keep = [&](double at, double step) {  // limits the fraction t of the line so that at + t·step ≤ beyond
+  // Limits the range of t in which the coordinate at + t·step does not exceed `beyond`. t is the location on the line, from 0 to 1.
+  const auto keep = [&](double at, double step) {
     if (step > 0) last = std::min(last, (beyond - at) / step);
     else if (step < 0) first = std::max(first, (beyond - at) / step);
     else if (at > beyond) last = -1;
@@ -43,7 +44,7 @@ bool is_line(Stroke point, Stroke stroke) {
 /// Sets the program lines of the strokes that are drawn in a view.
 class LineTags {
  public:
-  ///   names  true: the first stroke of each program line gets the id by which a viewer finds that line
+  /// Creates the object for one view. `names`: true if the first stroke of each program line gets the id by which a viewer finds that line.
   LineTags(Canvas& canvas, const PlotScene& scene, bool names)
       : canvas_(canvas), title_(scene.title), tells_(canvas.tags_lines() && lines_are_tagged(scene)), names_(names) {}
   bool tells() const { return tells_; }
@@ -63,7 +64,8 @@ class LineTags {
 /// Draws a polyline. Points that would not be visible are omitted.
 class Pencil {
  public:
-  ///   may_name  true: the strokes belong to the path itself, so they may get the id of their program line
+  /// Draws with this canvas. `may_name`: true if the strokes belong to the tool path itself, so that they may get the id of their program
+  /// line.
   Pencil(Canvas& canvas, LineTags& tags, bool may_name) : canvas_(canvas), tags_(tags), may_name_(may_name) {}
   void segment(Vec2 from, Vec2 to, ProgramLine line) {
     const Vec2 start = from;
@@ -102,7 +104,7 @@ class Pencil {
   int drawn_ = 0;
 };
 
-/// Draws with the present pen the segments for which `is_wanted` returns true.
+/// Draws those segments of the path for which the function `is_wanted` returns true, with the present pen.
 template <class Wanted>
 void draw_pieces(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, bool may_name,
                  const Wanted& is_wanted) {
@@ -141,7 +143,7 @@ void draw_lines(Canvas& canvas, LineTags& tags, View view, const ViewScale& scal
   canvas.kind("");
 }
 
-/// Draws all cutting motions, one interval of the colour scale after another.
+/// Draws all cutting motions. Motions whose colours are in the same interval of the colour scale are drawn together.
 void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   constexpr double width = 1.8;
   canvas.kind("shade");

@@ -64,14 +64,14 @@ void draw_origins(Canvas& canvas, View view, const ViewScale& scale, const std::
   canvas.kind("");
 }
 
-/// Draws the bottom face of the box with a grid, and those edges of the box that are farther from the viewer than the path.
+/// Draws the bottom face of the path's bounding box with a grid, and those edges of the box that are farther from the viewer than the path.
 void draw_floor(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUnit unit) {
   const auto page = [&](double x, double y, double z) { return scale.page(projected(View::isometric, {x, y, z})); };
   const Vec3 a = box.least, b = box.most;
   const double step = mm_of(unit) * round_step(tick_spacing / 1.6 / scale.per_mm / mm_of(unit));
   for (double x = std::ceil(a.x / step) * step; x <= b.x; x += step) canvas.line(page(x, a.y, a.z), page(x, b.y, a.z), grid, 1);
   for (double y = std::ceil(a.y / step) * step; y <= b.y; y += step) canvas.line(page(a.x, y, a.z), page(b.x, y, a.z), grid, 1);
-  // The front edges of the box are omitted, since they would cross the path.
+  // The front edges of the bounding box are omitted, since they would cross the path.
   const std::array<Vec3, 8> all = corners(box);
   constexpr std::array<std::array<std::size_t, 2>, 9> edges = {{{0, 1}, {0, 2}, {1, 3}, {2, 3}, {1, 5}, {2, 6}, {3, 7}, {5, 7}, {6, 7}}};
   for (const auto [from, to] : edges)
@@ -92,7 +92,7 @@ void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUn
   Vec2 z = page(b.x, a.y, a.z) + Vec2{8, 22};
   constexpr double row = 18;  // height of a line of text, units of the page
   const bool overlap = std::fabs(z.y - x.y - 22) < row && z.x - text_width(up, 13) / 2 < x.x + 12 + text_width(across, 13);
-  // the box is too narrow for all texts, so the range of Z is printed below
+  // the box is too narrow for the texts about X, Y and Z side by side, so the range of Z is printed below the other texts
   if (overlap) z = {x.x + 12 + text_width(up, 13) / 2, x.y + 22 + row};
   canvas.text(z, up, {13, faint_ink, Align::centre, false});
 }
@@ -131,8 +131,8 @@ void draw_tools(Canvas& canvas, View view, const ViewScale& scale, const PlotSce
   canvas.end();
 }
 
-/// Returns the rectangle that the isometric view must show. It contains the box of the cutting, and the path as far as the path is in the
-/// whole box. The corners of the whole box are mostly empty, so they need not be shown.
+/// Returns the rectangle that the isometric view must show: the projection of `room` (box of the cutting, or `box` if nothing cuts), and of
+/// those parts of the path that are inside `box`. The corners of `box` are mostly empty, so they need not be visible.
 FlatBox seen_of(const PlotScene& scene, const Box& room, const Box& box) {
   FlatBox flat;
   for (const Vec3 corner : corners(room)) flat.take(projected(View::isometric, corner));

@@ -33,7 +33,7 @@ ViewScale fitted(const FlatBox& flat, const Area& area);
 double round_step(double least);
 
 void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& scene, const Box& box);
-/// Draws the same as draw_plane(), but as part of another drawing, so without a named group.
+/// Draws the same view as draw_plane(), but without a named SVG group, for use as a part of another picture.
 void draw_field(Canvas& canvas, const Area& area, View view, const PlotScene& scene, const Box& box);
 void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, const Box& box);
 

@@ -23,8 +23,8 @@ std::string explain_control(const ControlDef& def, Lang lang);
 /// Returns tables of addresses, codes, canned cycles, variables and alarms in Markdown (control_page.cpp).
 std::string control_page(const ControlDef& def, const AlarmTexts& texts);
 
-/// Texts of table cells for both outputs: the words of a code, e.g. "axes I J K"; "*" if the code is in force at power-on; the format of an
-/// address in the notation of the manual, e.g. "+043" or "free".
+/// Three functions that return the text of a table cell: the words of a code, e.g. "axes I J K"; "*" if the code is in force at power-on;
+/// and the format of an address in the notation of the manual, e.g. "+043" or "free".
 std::string words_of(const CodeRow& row, Lang lang);
 std::string initial_mark(const ControlDef& def, const CodeRow& row);
 std::string format_of(const ControlDef& def, const AddressRow& row);

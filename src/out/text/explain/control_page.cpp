@@ -22,7 +22,7 @@ std::string escaped(const std::string& text) {
 
 std::string cells(const Text& text) { return fmt::format("{} | {}", escaped(text.en), escaped(text.ru)); }
 
-/// Returns the headings of the two columns (English, Russian) that cells() fills, e.g. "meaning | значение".
+/// Returns the English and the Russian heading for two columns of a table, e.g. "meaning | значение".
 std::string headings(PlainText text) { return fmt::format("{} | {}", plain_text(text, Lang::en), plain_text(text, Lang::ru)); }
 
 /// Returns the heading row of a Markdown table and the separator line below it, e.g. "| a | b |", "|---|---|".

@@ -76,7 +76,8 @@ std::string numbered(const std::vector<std::string>& steps, std::string_view hea
   return text;
 }
 
-///   by_e  true: the word E sets the distance by which the tool retracts between pecks; false: a parameter of the control sets it
+/// Returns the steps of a drilling cycle in words. `by_e`: true if the word E sets the distance by which the tool retracts between pecks;
+/// false if a parameter of the control sets it.
 std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang lang) {
   const auto text_for = [&](DrillStep step) -> std::optional<PlainText> {
     if (!by_e && step == DrillStep::break_chips) return cycle_ids::short_pecks;

@@ -12,7 +12,7 @@ namespace kadr {
 
 /// Returns a heading and below it one line for each step, e.g. "    1. feed to the bottom"; empty if the steps are unknown.
 std::string steps_text(const ControlDef& def, const CycleRow& row, Lang lang);
-/// Returns the steps of a code whose canned cycle is part of the engine, e.g. G81 of the NCT. The form of the text is the same.
+/// Returns a heading and the steps, in the same form, for a code whose canned cycle the engine itself contains, e.g. G81 of the NCT.
 std::string steps_text(const ControlDef& def, const CodeRow& row, Lang lang);
 /// Returns the address letters that a drilling code uses, as a bit set. Of the letters Q, E, P, I, J, K only those are included that the
 /// operations of the code need. A code that does not drill uses all letters.

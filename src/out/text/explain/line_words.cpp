@@ -69,8 +69,8 @@ class LineWords {
     add(word.where, name, title, explained(name));
   }
 
-  /// Returns the code of the block that uses the letter; nullptr if there is none. The description of the code states more about the word
-  /// than that of the address.
+  /// Returns the code of the block to which the word with this letter belongs; nullptr if there is none. The description of the code
+  /// explains the word better than the description of the address does.
   const CodeRow* code_with(char letter) const {
     for (std::uint32_t i = 0; i < block_->word_count; ++i) {
       const Word& word = block_->words[i];

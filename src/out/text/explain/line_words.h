@@ -16,7 +16,7 @@ struct LineWord {
   std::uint32_t from = 0, to = 0;
   std::string code;   // the explained code, address or variable, e.g. "G81", "X", "#5021"
   std::string title;  // one line
-  std::string text;   // the whole text of kadr explain; empty: only the title is known
+  std::string text;   // the whole text that the command `kadr explain` prints; empty: only the title is known
 };
 
 /// Explains the words of all blocks of the line. In a faulty block only the words before the fault are explained. Words that the control

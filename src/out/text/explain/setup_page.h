@@ -8,7 +8,8 @@
 
 namespace kadr {
 
-/// Returns the description of all keys, with the controls that support each key. `controls`: the columns of the table, in order.
+/// Returns the description of all keys as the rows of a Markdown table. `controls`: the controls that the page covers; the row of a key
+/// states which of them support the key.
 std::string setup_page(const std::vector<const ControlDef*>& controls, Lang lang);
 
 /// Returns the description of the keys that this control supports.

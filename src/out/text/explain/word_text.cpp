@@ -18,7 +18,8 @@ namespace {
 
 namespace word_ids = texts::explain_words;
 
-/// The meaning of a letter in blocks with a certain function. It is needed for addresses with several meanings.
+/// The meaning of a letter in blocks with a code of this function, e.g. Q in a drilling block. The meanings are listed for letters that
+/// have several.
 struct Meaning {
   Function function;
   char letter;
@@ -26,7 +27,8 @@ struct Meaning {
   PlainText text;
 };
 
-// Sources: nct 18.0 for drilling, nct 15.5.1 for radius_side, Mach3 10.7.22 to 10.7.24 for cycle.
+// Sources of the meanings: nct 18.0 for drilling codes, nct 15.5.1 for codes of cutter compensation, Mach3 10.7.22 to 10.7.24 for codes of
+// other cycles.
 constexpr Meaning meanings[] = {
     {Function::drilling, 'R', WordUnit::length, word_ids::point_r},
     {Function::drilling, 'Q', WordUnit::length, word_ids::peck_depth},
@@ -59,7 +61,7 @@ std::string meaning_text(const Meaning& meaning, Lang lang) { return with_unit(p
 
 bool is_tap(const CodeRow& code) { return code.arg == 84.2_g || code.arg == 84.3_g; }
 
-/// Returns the meaning of a letter if the control differs from the NCT; nullopt otherwise.
+/// Returns the meaning of a letter in a drilling block if this control differs from the NCT; nullopt otherwise.
 std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& code, char letter) {
   using enum WordUnit;
   const std::uint64_t used = words_used(code);
@@ -119,7 +121,7 @@ std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang) {
     if ((used >> i & 1u) == 0) idle += (idle.empty() ? "" : " ") + name;
     else text += fmt::format("    {:<3}{}\n", name, meaning_of(def, row, letter, lang));
   }
-  // F is not among the words of the code, since it belongs to the block, so it is added here
+  // the word F belongs to the block and not to the code of the cycle, so its line is added separately
   if ((drills || row.function == Function::cycle) && def.address('F').function != Function::count)
     text += fmt::format("    {:<3}{}\n", "F", meaning_of(def, row, 'F', lang));
   if (!idle.empty()) text += fmt::format("    {}\n", translated_in(lang, word_ids::not_used, idle));
