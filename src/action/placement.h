@@ -48,7 +48,7 @@ struct Pose {
 class WorkTransform {
  public:
   virtual ~WorkTransform() = default;
-  /// Returns true if the Placement's own fields determine the axis positions, so that this object only describes the pose.
+  /// Returns true if the fields of the Placement alone determine the axis positions; this object then only computes the pose of the tool.
   virtual bool is_plain() const = 0;
   /// Returns true under tool centre point control. In this case, machine_of() gives the axis positions at each point of a motion (nct
   /// 25.14). Otherwise machine_of() gives them at the end of the motion only, and the axes move evenly to that point.

@@ -18,7 +18,7 @@ class Step {
   Step(const AxisRoles& its_roles, const Action& its_action, const ToolPosition& before, double start = 0, const MotionTime& its_time = {},
        double still = 0)
       : roles(its_roles), action(its_action), from(before), begins(start), time(its_time), pause(still) {}
-  Step(const Step&) = delete;  // a copy is not possible, because the curve refers to members of this object
+  Step(const Step&) = delete;  // A Step cannot be copied, because its curve refers to members of the Step.
   Step& operator=(const Step&) = delete;
 
   const AxisRoles& roles;    // axes of the channel

@@ -218,7 +218,7 @@ class ConvertCommand {
   Outputs outputs_;
   std::optional<Job> job_;
   std::shared_ptr<const ControlDef> to_;
-  WrittenLetters letters_;  // letters (encoding) of the converted program
+  WrittenLetters letters_;  // characters and encoding of the converted program
 };
 
 }  // namespace
