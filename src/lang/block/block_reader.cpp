@@ -44,9 +44,9 @@ std::string BlockReader::shown(std::string_view text, Span& place) const {
     if (i <= place.begin) there.begin = static_cast<std::uint32_t>(all.size());
     if (i <= place.end) there.end = static_cast<std::uint32_t>(all.size());
     if (i == text.size()) break;
-    // The eighth bit is removed, also from a row with wrong parity.
+    // The eighth bit of a tape row is a parity bit, so it is removed, also from a row with wrong parity.
     if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);
-    // Blank tape becomes a blank, so that the offsets of later characters do not change.
+    // A row of blank tape becomes a space character, so that the offsets of later characters do not change.
     else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';
     else if (!append_utf8(text.substr(i, bytes), encoding(), all)) all += '?';
   }
@@ -116,7 +116,8 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   is_text_ = false;
   if ((memory_.encoding && is_tape(*memory_.encoding)) || memory_.expects_high_bytes) {
     const Status decoded = decode_line();
-    if (!decoded && is_tape(encoding())) {  // in an encoding that is not a tape's the damaged byte may be in a comment, so lex_line decides
+    // an undecodable byte on a tape is an alarm at once; in other encodings the byte may be in a comment, so lex_line decides
+    if (!decoded && is_tape(encoding())) {
       block.clear();
       block.position = {line_.offset, line_.number, 0};
       block.text = text_;

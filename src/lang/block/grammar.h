@@ -143,6 +143,7 @@ struct Grammar {
   std::array<std::uint8_t, max_addresses> axis_numbers{};  // number of each axis address across all channels; 0: the address is not an axis
 
   // ---- features of custom macros that RS274/NGC expressions do not have
+
   /// Returns true if the control has statements such as IF, WHILE, GOTO, DPRNT. On such a control an assignment in a block without words is
   /// a statement too.
   bool has_statements() const { return custom_macros; }

@@ -23,7 +23,8 @@ struct ExpressionRow {
   Op op = Op::number;
   std::uint8_t binding = 0;            // priority of an operator; 0: the control does not have the operator, but an alarm can name it
   Operand operand = Operand::bracket;  // form in which the operand of a function is written
-  Op of_two = Op::number;  // operation of ATAN[a]/[b] if ATAN[a] alone is also a function; Op::number: there is no such operation
+  // for ATAN, of which both ATAN[a] and ATAN[a]/[b] are functions: operation of ATAN[a]/[b]; Op::number: any other function
+  Op of_two = Op::number;
 };
 
 /// Operators or functions, found by their text. If one text is the beginning of another, the longer text is found.

@@ -81,7 +81,7 @@ class Contents {
       in_ = In::section;
       return;
     }
-    // This control needs no % before a program, so the first block starts one.
+    // On a control that needs no % before a program, the first block starts the program.
     if (in_ == In::nothing && !block.empty() && may_begin_ && contents_.programs.empty()) begin_program(at, 0);
     if (in_ == In::program && block.word_count > 0) has_words_.back() = true;
     if (in_ == In::section) subprogram_block(block);

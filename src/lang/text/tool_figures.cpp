@@ -49,7 +49,7 @@ class FigureMarker {
 
  private:
   std::size_t count() const { return all_.size(); }
-  // Also false for the index before the first piece, because that index wraps around.
+  // Returns true if the index is that of a piece; the index before the first piece wraps around, so it is too large.
   bool has(std::size_t i) const { return i < all_.size(); }
   bool is_figure(std::size_t i) const { return has(i) && all_[i].is_figure(); }
   bool is_open(std::size_t i) const { return has(i) && all_[i].is_open(); }

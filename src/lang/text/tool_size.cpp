@@ -147,7 +147,7 @@ bool ToolSize::is_of_part(std::size_t figure) const {
 /// Returns false for comments that are not about a tool, such as (.500 DIAMETER), (STOCK D50).
 bool ToolSize::speaks_of_tool(std::size_t figure) const {
   if (!names_.all().empty() || names_.any(of_tool)) return true;
-  // A list of a tool library, such as 25 = name d=10.
+  // true: the comment is a row of a tool library, such as 25 = name d=10
   const bool listed = pieces_.size() > 1 && pieces_[0].is_figure() && pieces_[1].is_sign('=');
   const auto names_tool = [](const CommentPiece& p) { return p.meaning.is(tool_number) && p.text.size() > 2; };
   std::size_t word = figure;
@@ -210,7 +210,7 @@ bool ToolSize::fits_before(std::size_t at, const ToolName& name, bool strangers)
   if (of_two) return false;  // 3/8 OR 1/2 are the sizes of two tools
   const CommentPiece* const second = has(at + 2) && means(at + 1, times) && pieces_[at + 2].is_figure() ? &pieces_[at + 2] : nullptr;
   if (name.kind == ToolWord::chamfer && (mm(f) < least_chamfer_mm || (second != nullptr && second->value == 45))) return false;
-  if (second != nullptr && is_disc_ && mm(*second) >= mm(f)) return false;  // the larger of the two sizes is the diameter
+  if (second != nullptr && is_disc_ && mm(*second) >= mm(f)) return false;  // the larger size of a slot mill or key cutter is its diameter
   if (is_measured(f) || !is_whole(f)) return true;
   const bool angle = is_usual_angle(f.value) && (name.kind == ToolWord::drill || name.kind == ToolWord::chamfer);
   // In 3 - ENDMILL the 3 is a number in a list.

@@ -53,7 +53,7 @@ class ToolSize {
   const ToolNames& names_;
   const bool inch_;
   const ToolWord kind_;
-  bool has_no_size_ = false;  // the tool's name contains no size, or a size that is not the diameter
+  bool has_no_size_ = false;  // true: the tool's name contains no size, or it contains a size that is not the diameter
   bool is_wide_ = false;      // the tool is a face mill or a saw
   bool is_disc_ = false;      // the tool is a slot mill or a key cutter
 };

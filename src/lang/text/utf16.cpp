@@ -89,7 +89,7 @@ class Utf16Source final : public ByteSource {
       text.clear();
       piece(mark.there, text);
       const std::size_t skipped = offset + got - mark.here;
-      if (skipped >= text.size()) break;  // the file has become shorter since it was opened
+      if (skipped >= text.size()) break;  // nothing more can be read, because the file has become shorter since it was opened
       got += text.copy(to + got, size - got, skipped);
     }
     return got;
