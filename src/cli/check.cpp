@@ -176,7 +176,7 @@ void write_findings(std::FILE* to, const Options& options, const Report& report,
   Invocation invocation{KADR_VERSION, status, {}};
   for (const Unreadable& file : report.unreadable) invocation.unreadable.emplace_back(file.path, file.reason);
   const std::string text = options.format == "json" ? findings_json(report.findings) : findings_sarif(report.findings, invocation);
-  write_data(to, text);  // the result need not be checked here, since Outputs::keep() reports write errors
+  write_data(to, text);  // a write error is not checked here, since Outputs::keep() reports it
 }
 
 }  // namespace

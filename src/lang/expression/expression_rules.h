@@ -33,7 +33,7 @@ class ExpressionRows {
   static constexpr std::size_t most = 64;
   void add(ExpressionRow row);
   bool has(std::string_view text) const;
-  /// Replaces one operation by another in all rows.
+  /// Makes every operator or function of the rows that has the operation `operation` use the operation `by` instead.
   void replace(Op operation, Op by) {
     for (ExpressionRow& row : rows_) {
       if (row.op == operation) row.op = by;
@@ -50,8 +50,10 @@ class ExpressionRows {
   const ExpressionRow* find_short(std::string_view text, std::size_t& length) const;
 
  private:
-  std::vector<ExpressionRow> rows_;  // rows sorted by first character; among rows with the same first character, longer texts come first
-  std::array<std::uint8_t, 128> first_{};  // by character: index plus 1 of the first row that starts with the character; 0: no row
+  // the operators or functions, sorted by first character; with the same first character, longer texts come first
+  std::vector<ExpressionRow> rows_;
+  // by character: 1 plus the index in rows_ of the first operator or function that starts with the character; 0: none
+  std::array<std::uint8_t, 128> first_{};
 };
 
 struct ExpressionRules {

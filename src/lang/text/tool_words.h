@@ -16,7 +16,8 @@ enum class WordHints : std::uint64_t {
   // ---- about the tool
   tool = bit(0),        // the word names a tool, and a size may be before the word
   size_after = bit(1),  // a size may also be after the word, as in ENDMILL 10
-  work_too = bit(2),    // the word names a tool or its operation: in DRILL 4 the 4 is the number of the operation, but DRILL 4.2 is a drill
+  // the word names a tool or its operation: in the comment DRILL 4 the 4 is the number of the operation, but DRILL 4.2 is a drill
+  work_too = bit(2),
   no_bare_size = bit(3),  // only a number with a unit, or a fraction, is the size of this tool: BIT, BROCA
   only_called = bit(4),   // only a number that the comment calls diameter is the size of this tool: BORING BAR
   part_of_name = bit(5),  // the word is part of a tool's name: END, FACE, SPOT, NOSE
