@@ -79,7 +79,7 @@ bool Curve::measures_path(FeedAlong along) const {
   if (along == FeedAlong::turn) return straight();
   if (along == FeedAlong::xyz) return (all_axes() & ~(xyz_axes() | roles_.rotary)) == 0;
   if (along != FeedAlong::arc || !arc_) return along != FeedAlong::all_axes || (roles_.rotary & all_axes()) == 0;
-  bool flat = true;  // true if no axis outside the plane moves
+  bool flat = true;  // true if no axis moves outside the plane of the arc
   for (std::size_t i = 0; i < roles_.count; ++i) flat = flat && ((plane_axes() >> i & 1U) != 0 || travel(i) == 0);
   return flat;
 }

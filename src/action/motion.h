@@ -33,9 +33,9 @@ enum class PathSurface : std::uint8_t { plane, polar, cylinder };
 enum class SideStep : std::uint8_t {
   none,
   begins,  // compensation starts: G41 or G42 is in the motion's block
-  begun,   // compensation was started in an earlier block, which did not move in the plane
+  begun,   // compensation starts with this motion, because the earlier block with G41 or G42 did not move in the plane
   ends,    // compensation ends: G40 is in the motion's block
-  holds,   // G38: the offset vector at the motion's end stays as it was at its start
+  holds,   // G38: the offset vector at the motion's end is the same as at the motion's start
 };
 
 /// The path around an outside corner under cutter compensation.

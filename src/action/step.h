@@ -12,7 +12,8 @@
 
 namespace kadr {
 
-/// A view of an action. The constructor's arguments must exist longer than the view; KeptStep is a copy without this condition.
+/// An action with its time and the tool's position before it. A Step refers to the constructor's arguments, which must exist longer than
+/// the Step; a KeptStep is a copy without this condition.
 class Step {
  public:
   Step(const AxisRoles& its_roles, const Action& its_action, const ToolPosition& before, double start = 0, const MotionTime& its_time = {},

@@ -43,7 +43,7 @@ struct Report {
   }
 };
 
-/// Collects the findings in one file. Findings that the baseline contains are omitted.
+/// Collects the findings about one program file. Findings that the baseline contains are omitted.
 class Collector {
  public:
   Collector(const Job& job, const Options& options, Report& report, Found& found)

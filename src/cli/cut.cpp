@@ -65,7 +65,7 @@ struct Cut {
   const Surface& surface;
   const PartComparison& held;
   const CutRun& run;
-  const Stock& stock;  // the stock to which `surface` belongs
+  const Stock& stock;  // the stock, of the blank or of the window, whose surface is `surface`
 };
 
 /// Draws the picture if --plot requests one. Returns an error sentence if the picture cannot be drawn.

@@ -164,7 +164,7 @@ class Debugger : public PartOfProgram {
     if (first_)  // the control's block search starts at the beginning of the program, so the state at the beginning is restored first
       if (const Status restored = stepping().restore(*first_); !restored) return print_alarm(restored.error(), "");
     print_search(*session_, stepping(), *target, job_->lang);
-    // after the end of the program, go_on() returns how the program ended
+    // if the search has ended at the end of the program, go_on() returns how the program ended
     state_ = stepping().next() ? Session::State::held : session_->go_on();
     show();
   }

@@ -93,7 +93,7 @@ struct Statement {
   std::uint8_t loop = 0;             // number m of a loop, in DOm and ENDm
   std::uint8_t condition_count = 0;  // number of conditions of IF or WHILE, all of which must be true
   bool with_if = false;
-  bool words_follow = false;  // words of the block follow an assignment after IF (spec/haas 2.3)
+  bool words_follow = false;  // true: words of the block follow the assignment in IF[…] THEN #n=… (spec/haas 2.3)
   std::array<Expression, limits::conditions> conditions{};
   Expression target;   // number of the variable that is assigned (`assign`)
   Expression value;    // `assign`: the value; `go_to`: the block number; ports and files: the number n after the keyword

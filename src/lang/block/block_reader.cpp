@@ -148,7 +148,7 @@ Status BlockReader::lex_line(Block& block) {
       rest_ = text_.size();
       return decoded;
     }
-    if (rest_ != 0) {  // earlier blocks of the line were read undecoded, so rest_ is converted to the offset in the decoded text
+    if (rest_ != 0) {  // earlier blocks of the line were read undecoded, so their length is converted to the length of the decoded text
       std::string before;
       (void)append_utf8(line_.bytes.substr(0, rest_), *memory_.encoding, before);
       rest_ = before.size();
@@ -172,7 +172,7 @@ Status BlockReader::lex_line(Block& block) {
     }
   }
   if (!lexed) {
-    // The words after the fault are skipped, up to the next end of block.
+    // The words after a faulty word are skipped, up to the next end of a block.
     const std::size_t mark = is_text_ ? text_.find(end_mark_in_text, lexed.error().where.end) : std::string_view::npos;
     rest_ = mark == std::string_view::npos ? text_.size() : mark + end_mark_in_text.size();
     return fail(lexed.error());
@@ -208,7 +208,7 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
       joined_ += '\n';
       joined_ += next.bytes;
     } else {
-      // Every end of line is stored, because later locations are counted in lines.
+      // The end of every line of a comment is stored, because locations after the comment are found by counting lines.
       if (joined_.size() < limits::line_bytes) joined_ += '\n';
       if (closed) joined_ += next.bytes.substr(end);
     }

@@ -137,7 +137,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
 }
 
 tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar) {
-  Grammar changed = grammar;  // Either all changes of a descriptor are made, or none, so a copy is changed
+  Grammar changed = grammar;  // a copy is changed, because a faulty descriptor must change nothing
   auto applied = Descriptor(descriptor, changed).apply();
   if (applied) grammar = changed;
   return applied;

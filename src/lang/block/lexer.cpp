@@ -139,7 +139,7 @@ class Lexer {
     }
     if (is_high(c) || c == '\x0e') return wide();
     if (is_lower(c) && grammar_.lower_case) return word(to_upper(c), 1);
-    for (const AddressName& name : grammar_.names)  // the loop finds names that start with a sign: `$`, `@`, `^`
+    for (const AddressName& name : grammar_.names)  // one of these names may be a sign: `$`, `@`, `^`
       if (name.text.size() == 1 && name.text[0] == c) return word_of(name.address, 1, cursor_.at);
     return words_.parameter_by_sign();
   }
@@ -359,7 +359,7 @@ class Lexer {
   Status whole_block() {
     if (grammar_.block_length != 0 && !grammar_.filtered_lines && !block_.empty()) {
       if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high(cursor_.at)) {
-        result_.needs_utf8 = true;  // bytes above 127 must be decoded first, because they cannot be counted as characters
+        result_.needs_utf8 = true;  // bytes above 127 are decoded first, because only then the characters of the block can be counted
         return {};
       }
       const std::uint32_t length = characters_of(cursor_.text.substr(begin_, cursor_.at - begin_));

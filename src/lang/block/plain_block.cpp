@@ -146,7 +146,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
     if (!digits.has_point) decimals += w.counted = format.counted;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
   }
-  // Dividend and divisor are exact, so the quotient is correctly rounded.
+  // The quotient is correctly rounded, because the digits as a whole number and the power of ten are exact.
   const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];
   w.value = sign == '-' ? -value : value;
   w.where = {static_cast<std::uint32_t>(begin - block.text.data()), static_cast<std::uint32_t>(at - block.text.data())};

@@ -253,7 +253,7 @@ bool LineReader::next(Line& line) {
   const std::size_t raw = end != none ? end : std::min(filled_ - position_, searched_bytes);
   const std::string_view bytes(window_.data() + position_, raw);
   line = {without_crs(bytes), offset(), line_++, true, false};
-  if (raw == searched_bytes) {  // the searched bytes contain no end of line, so the line is too long
+  if (raw == searched_bytes) {  // the line is longer than permitted, because its end is not within the searched bytes
     long_line_.assign(bytes, 0, limits::line_bytes);
     line.bytes = long_line_;
     line.too_long = true;

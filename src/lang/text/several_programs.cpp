@@ -123,10 +123,10 @@ class Contents {
   BlockReader reader_;
   const bool sections_, labels_, may_begin_;
   TapeContents contents_;
-  std::vector<bool> has_words_;  // for each program: true if it has a block with words
+  std::vector<bool> has_words_;  // by program: true if the program has a block with words
   In in_ = In::nothing;
-  bool open_ = false;         // the end of the subprogram being read has not been reached yet
-  bool after_start_ = false;  // the block processed last was the one with the sign %
+  bool open_ = false;         // true: the end of the present subprogram has not been reached yet
+  bool after_start_ = false;  // true: the block processed last had the sign %
 };
 
 }  // namespace

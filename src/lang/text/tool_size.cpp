@@ -24,10 +24,10 @@ constexpr double max_drill_mm = 80;  // greatest size of a drill, mm
 constexpr double least_whole_mm = 3;
 constexpr double most_of_any = 400;     // greatest size of any tool, mm, even for a number with a unit
 constexpr double least_chamfer_mm = 3;  // least size of a chamfer mill, mm; a smaller number is the size of the chamfer
-// Greatest difference of two sizes of one tool, such as 27/64 and .422: as a fraction of the size, and in mm.
+// Greatest difference, as a fraction of the size and in mm, at which two sizes in one comment count as the same size, as 27/64 and .422.
 constexpr double alike_part = 0.01, alike_mm = 0.05;
-// The greatest difference of D10 and the size in the name, as a fraction of the size. If the difference is greater, D10 is an offset
-// number.
+// Greatest difference, as a fraction of the size, between 10 in D10 and the size in the tool's name. If the difference is greater, 10 is an
+// offset number.
 constexpr double roughly_part = 0.1;
 constexpr std::size_t max_strangers = 2;  // greatest number of unknown words between a size and the tool: 2" MITSUBISHI FACE MILL
 

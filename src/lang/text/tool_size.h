@@ -19,7 +19,7 @@ class ToolSize {
   std::optional<double> corner(std::optional<double> diameter) const;
 
  private:
-  using Sizes = std::vector<double>;  // sizes in mm that one rule has found; if they differ, none is used
+  using Sizes = std::vector<double>;  // sizes in mm that one rule has found in a comment; if the sizes differ, none of them is used
   bool has(std::size_t i) const { return i < pieces_.size(); }
   bool means(std::size_t i, WordHints what) const { return has(i) && pieces_[i].meaning.is(what); }
   bool is(std::size_t i, FigureIs what) const { return has(i) && pieces_[i].is_figure() && pieces_[i].figure == what; }
