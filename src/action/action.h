@@ -28,8 +28,8 @@ struct Spindle {
   SpindleDir dir;
   double rpm;  // rev/min
   std::uint8_t number = 1;
-  std::optional<double> turn{};   // only for `position`: signed rotation of the spindle, degrees
-  std::optional<double> angle{};  // only for `position`: angle of the spindle after the rotation, degrees
+  std::optional<double> turn{};   // for an orientation of the spindle (`position`): signed rotation of the spindle, degrees
+  std::optional<double> angle{};  // for an orientation of the spindle (`position`): angle of the spindle after the rotation, degrees
 };
 struct Speed {
   double value;  // the new value: spindle speed, rev/min, or surface speed, m/min (G96)

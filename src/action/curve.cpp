@@ -65,7 +65,7 @@ AxisMask Curve::xyz_axes() const {
   return axes;
 }
 
-/// Returns the travel, mm, out of the plane of the path, as it counts for the length that `along` selects.
+/// Returns the travel, mm, of the axes that are not in the plane of the path. `along` selects which of these axes count.
 double Curve::rise(FeedAlong along) const {
   if (along == FeedAlong::arc && arc_) return 0;
   if (along == FeedAlong::xyz) {

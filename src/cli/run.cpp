@@ -54,8 +54,8 @@ bool has_threads(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::thread; });
 }
 
-/// True if the trace or the samples go to the terminal. Then no progress bar is shown, since a bar between these lines would make both
-/// unreadable.
+/// True if the trace or the samples go to the terminal. Then no progress bar is shown, since the bar would make the lines of the trace or
+/// of the samples unreadable.
 bool writes_to_terminal(const Options& options) { return (options.trace == "-" || options.samples == "-") && ::isatty(STDOUT_FILENO) != 0; }
 
 class RunCommand {

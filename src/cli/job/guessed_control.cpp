@@ -80,7 +80,8 @@ void GuessedControls::print_neighbours(const std::string& file, const FolderGues
   complain(translated_in(lang, texts::job::like_its_neighbour, file, common.control, shown_by, reason));
 }
 
-/// Returns true if the file is a lathe program whose control Kadr supports for milling only. Then the function also prints this reason.
+/// Returns true if the file is a lathe program, and Kadr supports its control for milling only. Then the function also prints a message
+/// with this reason.
 bool GuessedControls::refuses(const std::string& file, const std::string& control) const {
   if (control.ends_with(".toml")) return false;
   const auto text = beginning_of_program(file, encoding_of(options_));

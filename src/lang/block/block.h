@@ -161,12 +161,13 @@ struct Block {
   std::vector<Span> comments;         // locations of the comments, without their brackets
   std::vector<Alarm> warnings;        // warnings about the block, for example about look-alike letters
   Statement statement;
-  Span file_name;               // location of a file name between < and >
-  std::optional<Alarm> broken;  // a fault after the words; faults of the words before it are reported first (spec/grbl 1.3)
-  bool evaluates = false;       // the value of at least one word is an expression
-  bool codes_vary = false;      // the number of at least one code is an expression
-  bool repeated = false;        // the block remains in memory at this address, because a loop executes it again
-  bool no_clock = false;        // true: a check has found that no expression of the block reads a clock
+  Span file_name;  // location of a file name between < and >
+  // a fault that was found after some words of the block; the control reports faults of these words first (spec/grbl 1.3)
+  std::optional<Alarm> broken;
+  bool evaluates = false;   // the value of at least one word is an expression
+  bool codes_vary = false;  // the number of at least one code is an expression
+  bool repeated = false;    // the block remains in memory at this address, because a loop executes it again
+  bool no_clock = false;    // true: a check has found that no expression of the block reads a clock
   // set of addresses (`letters`) with which the last check found the words correct; 0: the words have not been checked
   std::uint64_t checked = 0;
   bool calls_macro = false;  // true: the last check of the words has found that the block calls a macro

@@ -113,7 +113,8 @@ struct Grammar {
   // ---- RS274/NGC as in LinuxCNC (spec/linuxcnc)
   bool o_words = false;           // O lines are allowed, such as O100 while […] (spec/linuxcnc 6)
   bool percent_encloses = false;  // a line with only `%` starts the program, the next one ends it (spec/linuxcnc 2.1)
-  // A computed code, such as G[10*0.1], may be off by 0.001; N may have a decimal point (spec/linuxcnc 2.2, 2.3).
+  // true: a computed code, such as G[10*0.1], may differ from the code's number by 0.001, and N may have a decimal point (spec/linuxcnc
+  // 2.2, 2.3)
   bool code_by_rounding = false;
   std::shared_ptr<VariableNames> named_variables;  // numbers of the names #<name>; nullptr if the control has no named variables
   bool filtered_lines = false;  // each line is read separately, without its blanks, `/` and control characters (spec/grbl 1.2)

@@ -217,7 +217,7 @@ void FigureMarker::mark_by_word(std::size_t word) {
   }
   if (!is_open(at)) return;
   const bool whole = !all_[at].has_point && !all_[at].is_fraction;
-  const bool divided = is_sign(word + 1, ':');  // in OPERATION: 1.5MM ENDMILL the colon separates the number from the word
+  const bool divided = is_sign(word + 1, ':');  // in the comment OPERATION: 1.5MM ENDMILL the colon separates both
   const bool is_number = all_[at].unit == 0 && (whole || !divided);
   if (means(word, other_after) || (means(word, is_numbered) && is_number)) all_[at].figure = FigureIs::other;
 }

@@ -49,7 +49,7 @@ enum class WordHints : std::uint64_t {
   joins = bit(28),        // the word joins two tools or sizes: DRILL AND TAP, 3/8 OR 1/2
   of_part = bit(29),      // the comment may be about the workpiece, not about a tool: HOLES, BOSS
   of_tool = bit(30),      // the word names a thing that only tools have: FLUTE, LOC
-  offset = bit(31),       // in the clause of this word D10 is an offset number
+  offset = bit(31),       // in a clause that contains this word, D10 is an offset number and not a diameter
   no_diameter = bit(32),  // a DIA after the word is not the diameter of the tool, as in MINOR DIA
 };
 
