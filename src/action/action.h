@@ -28,8 +28,8 @@ struct Spindle {
   SpindleDir dir;
   double rpm;  // rev/min
   std::uint8_t number = 1;
-  std::optional<double> turn{};   // only for `position`: signed rotation of the spindle, degrees
-  std::optional<double> angle{};  // only for `position`: angle of the spindle after the rotation, degrees
+  std::optional<double> turn{};   // for an orientation of the spindle (`position`): signed rotation of the spindle, degrees
+  std::optional<double> angle{};  // for an orientation of the spindle (`position`): angle of the spindle after the rotation, degrees
 };
 struct Speed {
   double value;  // the new value: spindle speed, rev/min, or surface speed, m/min (G96)
@@ -63,8 +63,10 @@ struct MachineFunction {
   std::uint32_t code;
   std::optional<double> p{};  // values of the words P and Q of a user macro (Mach3 M100 …)
   std::optional<double> q{};
-  std::uint8_t spindle = 0;        // number of the spindle that the M code acts on; 0: no spindle
-  std::optional<double> number{};  // number of an output or input of the machine; `value` is the value that it is set to (spec/linuxcnc 8)
+  std::uint8_t spindle = 0;  // number of the spindle that the M code acts on; 0: no spindle
+  // number of the machine's output that the code switches, or of its input that the code waits for (spec/linuxcnc 8); `value` is the
+  // output's new value
+  std::optional<double> number{};
   std::optional<double> value{};
   bool by_control = false;  // the control executes the M code itself and only reports it to the machine (nct 13.1: M2, M30, M98, M99)
 };
@@ -95,19 +97,19 @@ struct ZoneChange {
   bool outside_forbidden = false;
   AxisMask axes = 0;     // axes with limits; the others are unlimited
   Axes least{}, most{};  // limits of the axes in `axes`, machine coordinates; an infinite value means that there is no limit
-  // true: the limits replace those of the zone that the parameters define, active or not; G23 restores this zone
+  // true: the change sets the parameters of zone 2, and a later G23 restores the zone that these parameters define
   bool of_parameters = false;
 };
 /// Switches an electronic gearbox on. In addition to its own motions, the slave axis then follows a spindle and the travel of a third axis
 /// (nct 20.1).
 struct Couple {
   std::string master, slave;      // names of the master spindle and of the slave axis
-  double ratio = 1;               // gear ratio: revolutions of the slave per revolution of the master, signed
-  double rpm = 0;                 // speed of the slave at the master's present speed, rev/min, signed
-  bool feeds_by_slave = false;    // the feed per revolution counts revolutions of the slave; false: of the master
-  std::optional<double> phase{};  // angle of the slave at the spindle's zero pulse, degrees
-  double helix = 0;               // rotation of the slave in degrees per mm of travel of the axis `along`
-  std::string along{};            // name of the third axis; empty: there is no third axis
+  double ratio = 1;               // gear ratio: revolutions of the slave axis per revolution of the master spindle, signed
+  double rpm = 0;                 // speed of the slave axis at the master spindle's present speed, rev/min, signed
+  bool feeds_by_slave = false;    // true: a feed per revolution counts revolutions of the slave axis; false: those of the master spindle
+  std::optional<double> phase{};  // angle of the slave axis at the master spindle's zero pulse, degrees
+  double helix = 0;               // additional rotation of the slave axis, in degrees per mm of travel of the axis `along`
+  std::string along{};            // name of the axis whose travel also turns the slave axis; empty: no axis
   int master_number = 0;          // number of the master spindle
 };
 struct Uncouple {
@@ -118,18 +120,20 @@ struct CompensationCorner {
   std::optional<Vec2>
       direction_vector{};  // I J K: direction in which the path leaves the corner; nullopt: the direction of the next motion
 };
-/// Selects how the compensated path is checked from here on (nct 15.5.2, 15.5.7). This action does not command the machine.
+/// Selects how the control checks the compensated path from this action on (nct 15.5.2, 15.5.7). This action does not command the machine.
 struct CompensationCheck {
-  bool interference = false;  // N1403 #0 IEN: interference is checked
-  bool always_alarm = false;  // N1403 #1 AAL: interference is an alarm at once, without an attempt of the control to correct the path
-  std::uint8_t further = 0;   // N1404: number of blocks, 0…8, that are checked in addition to the usual three
-  double least_step = 0;      // N1405 DELTV: steps around a corner that are shorter than this are omitted, mm
+  bool interference = false;  // true: the path is checked for interference (parameter N1403 #0 IEN)
+  // true: interference raises an alarm at once, and the control does not try to correct the path (parameter N1403 #1 AAL)
+  bool always_alarm = false;
+  // number of blocks, 0…8, that the check for interference includes in addition to the usual three (parameter N1404)
+  std::uint8_t further = 0;
+  double least_step = 0;  // length in mm; shorter segments of the path around a corner are omitted (parameter N1405 DELTV)
   friend bool operator==(const CompensationCheck&, const CompensationCheck&) = default;
 };
-/// Interrupts cutter compensation: the tool's centre is on the programmed point (nct 15.5.2). With `off`, compensation ends (G40, 15.5.3).
-/// With `here`, the programmed point becomes the tool's actual position, which is off the contour (G92 after G40, Mach3 10.7.27). LinuxCNC
-/// executes a compensated motion only when it has read the next one; at a CompensationBreak, also before M0, the waiting motion ends one
-/// tool radius off its programmed point.
+/// Interrupts cutter compensation: the tool's centre is on the programmed point (nct 15.5.2). If `off` is true, compensation ends (G40,
+/// 15.5.3). If `here` is true, the tool's actual position, which is off the contour, becomes the programmed point (G92 after G40, Mach3
+/// 10.7.27). LinuxCNC executes a compensated motion only when it has read the next one. At a CompensationBreak, also before M0, the motion
+/// that waits ends one tool radius off its programmed point.
 struct CompensationBreak {
   bool off = false;
   bool here = false;
@@ -139,7 +143,7 @@ struct CompensationBreak {
 struct FrameChange {
   Placement placement;
   Axes work;
-  // The part of placement.origin that comes from G52, G92 …; nullptr: there is no such part, or placement.shift contains it.
+  // The part of the origin of work coordinates that comes from G52, G92 …; nullptr: there is no such part, or placement.shift contains it.
   std::shared_ptr<const Axes> shifted{};
 };
 
@@ -193,7 +197,7 @@ struct AlarmReport {
   };
   std::vector<Call> calls;  // the calls that led to the line, outermost first
   struct Line {
-    std::uint32_t number = 0;  // line number; 0: there is no second line
+    std::uint32_t number = 0;  // line number in the program; 0: the alarm refers to one line only
     std::string file, text;
     Span where{};
   };
@@ -209,7 +213,7 @@ struct ProbeAnswer {
   double part = 1;  // executed fraction of the motion's path, 0 to 1
 };
 
-/// The state after a block: position, modes, tool and offsets.
+/// The state of the control after a block: position, modes, tool and offsets.
 struct BlockState {
   std::vector<std::string> modal;  // code words in force, and the words F, S, T, D, H in force
   std::uint32_t tool = 0;          // number of the tool in the spindle
@@ -222,7 +226,7 @@ struct FinalState {
   Axes position{};  // work coordinates
   Axes machine_position{};
   std::vector<std::pair<std::string, double>> variables;    // every variable that has a value: "#100", "R2"
-  std::vector<std::pair<std::string, bool>> watched_unset;  // variables that a user asked for, but that have no value
+  std::vector<std::pair<std::string, bool>> watched_unset;  // names of the variables that a user asked for, but that have no value
   std::vector<std::string> modal;                           // code words in force
 };
 

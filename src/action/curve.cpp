@@ -10,8 +10,8 @@ namespace kadr {
 
 namespace {
 
-// mm. For FeedAlong::xyz: X, Y and Z count as not moving if their travel together is less than this; it is `tiny` in LinuxCNC's
-// find_straight_length.
+// Limit in mm for FeedAlong::xyz. If the common travel of X, Y and Z is shorter, these axes count as not moving. LinuxCNC calls this limit
+// `tiny` (find_straight_length).
 constexpr double stands_within = 1e-7;
 
 AxisMask followers_of(const MotionDetail* detail) {
@@ -38,7 +38,8 @@ FlatPath Curve::plane_path() const {
   const Vec2 end = flat ? Vec2{motion_.to[first_], motion_.to[second_]} : motion_.detail->flat_to;
   if (!arc_) return FlatPath::line(start, end);
   Vec2 center = motion_.center;
-  if (surface_ == PathSurface::cylinder)  // the motion's centre is in axis units: degrees for the rotary axis
+  // the centre of a programmed arc is in axis units (degrees for the rotary axis), so it is converted to mm
+  if (surface_ == PathSurface::cylinder)
     center = start + Vec2{(center.x - from_[first_]) / unit(first_), (center.y - from_[second_]) / unit(second_)};
   return FlatPath::arc(start, end, center, motion_.kind == MotionKind::arc_ccw ? motion_.turns : -motion_.turns);
 }
@@ -64,7 +65,7 @@ AxisMask Curve::xyz_axes() const {
   return axes;
 }
 
-/// Returns the travel in mm that the axes outside the plane contribute to the length.
+/// Returns the travel, mm, of the axes that are not in the plane of the path. `along` selects which of these axes count.
 double Curve::rise(FeedAlong along) const {
   if (along == FeedAlong::arc && arc_) return 0;
   if (along == FeedAlong::xyz) {
@@ -78,7 +79,7 @@ bool Curve::measures_path(FeedAlong along) const {
   if (along == FeedAlong::turn) return straight();
   if (along == FeedAlong::xyz) return (all_axes() & ~(xyz_axes() | roles_.rotary)) == 0;
   if (along != FeedAlong::arc || !arc_) return along != FeedAlong::all_axes || (roles_.rotary & all_axes()) == 0;
-  bool flat = true;  // true if no axis outside the plane moves
+  bool flat = true;  // true if no axis moves outside the plane of the arc
   for (std::size_t i = 0; i < roles_.count; ++i) flat = flat && ((plane_axes() >> i & 1U) != 0 || travel(i) == 0);
   return flat;
 }
@@ -86,7 +87,8 @@ bool Curve::measures_path(FeedAlong along) const {
 double Curve::length(FeedAlong along) const {
   if (const double turned = along == FeedAlong::turn ? flat_.turn_length() : 0; turned > 0) return turned;
   const double path_length = straight() ? rise(along) : flat_.length(rise(along));
-  return path_length > 0 ? path_length : rotary_length();  // if only rotary axes move, a degree counts as 1 mm
+  // a path without linear travel has its rotary travel as its length: a degree counts as 1 mm
+  return path_length > 0 ? path_length : rotary_length();
 }
 
 double Curve::rate(FeedAlong along, double part) const {

@@ -16,7 +16,7 @@ struct Extents {
   Axes most;
 };
 
-/// A view of a motion, in work coordinates. The constructor's arguments must exist longer than the view.
+/// The path of one motion, in work coordinates. A Curve refers to the constructor's arguments, which must exist longer than the Curve.
 ///   law  a rotated, mirrored or reversed motion has the same length, and its extents are rotated or mirrored in the same way
 ///   law  at(0) is the start and at(1) the end, bit by bit
 class Curve {
@@ -29,7 +29,7 @@ class Curve {
         spline_(motion.kind == MotionKind::spline),
         first_(motion.first),
         second_(motion.second) {
-    if (arc_ || motion.detail) find_path();  // any other motion is a straight line, for which its two ends suffice
+    if (arc_ || motion.detail) find_path();  // a straight line needs no path in the plane, because its two ends suffice
   }
   Curve(const AxisRoles&, Axes&&, const Motion&) = delete;
 
@@ -47,14 +47,14 @@ class Curve {
   /// angles (NIST 2.1.2.5).
   double rotary_length() const;
 
-  /// Returns the length of the motion as the commanded feed measures it. `along` selects the travel that the feed counts.
+  /// Returns the length of the motion as the commanded feed counts it. `along` selects which travel counts, for example that of all axes.
   double length(FeedAlong along) const;
 
-  /// Returns true if length(along) certainly equals length(). If the result is false, the two may differ, and the caller has to compute
-  /// both.
+  /// Returns true if the length that the feed counts (length(along)) is always the length of the path (length()). If the result is false,
+  /// the two lengths may differ, and the caller has to compute both.
   bool measures_path(FeedAlong along) const;
 
-  /// Returns the derivative of length(along) by `part`. It is constant except on spirals.
+  /// Returns the derivative by `part` (0 to 1) of the length that the feed counts. The derivative is constant except on spirals.
   double rate(FeedAlong along, double part) const;
 
   /// Returns the signed travel of an axis over the motion. For a rotary axis that rolls over at 360°, whole revolutions are included.
@@ -66,17 +66,18 @@ class Curve {
   /// a rotary axis that rolls over continues beyond 360°.
   Axes at(double part) const;
 
-  /// Returns the derivative of at() by `part`: mm or degrees for the whole motion.
+  /// Returns the derivative of the axis positions by `part`, a fraction (0 to 1) of the motion: mm or degrees per unit of `part`.
   Axes rates(double part) const;
 
-  /// Returns the derivatives by `part` of the two axes of polar interpolation.
+  /// Returns the derivatives by `part` of the positions of the linear and the rotary axis of polar interpolation.
   PolarAxes polar_rates(double part) const { return polar().rates(part); }
 
-  /// Returns the point at `part` in the coordinates of the program's words: in polar interpolation mm in the programmed plane, otherwise
-  /// at(part).
+  /// Returns the point at `part` in the coordinates that the program's words have. In polar interpolation these are mm in the programmed
+  /// plane; otherwise they are those of at(part).
   Axes programmed(double part) const;
 
-  /// Returns the point in the plane of a path that is not straight; on a surface, mm in the programmed or unrolled plane.
+  /// Returns the point at `part` in the plane of a path that is not a straight line. On a surface, the result is in mm in the programmed or
+  /// unrolled plane.
   Vec2 flat(double part) const { return flat_.at(part); }
 
   /// Returns the curvature of a path that is not straight, in its plane: 1/mm, positive for a left turn.

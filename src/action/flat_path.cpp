@@ -22,8 +22,8 @@ double primitive(double radius, double a) { return (radius * std::hypot(radius, 
 /// Returns the length, mm, of a spiral around an axis. Over the angle `sweep_rad`, the radius grows by `growth`, and the spiral moves by
 /// `rise` along the axis.
 double spiral_length(double radius, double growth, double rise, double sweep_rad) {
-  // The closed formula is used if growth / radius is above this number. Below it, the difference of the primitives would lose digits, while
-  // Gauss quadrature is exact to the rounding error.
+  // The closed formula is used if growth / radius is above this number. Below this number, the difference of the antiderivatives would lose
+  // digits, while Gauss quadrature is exact to the rounding error.
   constexpr double hardly = 1e-3;
   if (sweep_rad == 0) return std::hypot(growth, rise);
   if (std::abs(growth) > hardly * std::max(radius, radius + growth)) {
@@ -61,7 +61,8 @@ void take_quarters(Box2& box, const CircleArc& arc) {
   const Vec2 first = arc.first, last = arc.last;
   const auto passes = [&](bool after, bool before, bool not_opposite) {
     if (arc.turns > 0.5) return arc.turns >= 1 || after || before;
-    return after && before && not_opposite;  // not_opposite excludes a very short arc, which does not contain the opposite direction
+    // excludes a very short arc opposite to the axis direction, for which the first two conditions also hold
+    return after && before && not_opposite;
   };
   // `first` and `last` are vectors from the centre to the ends of the arc. The direction of an axis lies within the arc if cross(first,
   // axis) >= 0 and cross(axis, last) >= 0. Both products are also 0 if first and last are opposite to the axis, so the caller passes a
@@ -161,10 +162,11 @@ Box2 FlatPath::box() const {
   return box;
 }
 
-/// Returns the direction of the point seen from the origin, in degrees. It is continuous as long as `radius_at` (the radius of the point)
-/// stays on the same side of the distance between centre and origin. With e the direction of the arm and c the direction of the centre:
-///   the origin inside the circle:   angle of e + angle between e and the point, within ±90°
-///   outside:                        angle of c + angle between c and the point, within ±90°
+/// Returns the direction, in degrees, from the origin to a point of an arc or spiral. The result is continuous as long as the point's
+/// radius `radius_at` remains greater, or remains smaller, than the distance from the centre to the origin. With e the direction from the
+/// centre to the point, and c the direction from the origin to the centre:
+///   radius greater:   angle of e + angle between e and the point, within ±90°
+///   radius smaller:   angle of c + angle between c and the point, within ±90°
 double FlatPath::absolute_deg(double part, double radius_at) const {
   const Vec2 out = rotated(arm_, sweep_deg_ * part);
   const double reach = kadr::length(arm_);
@@ -190,8 +192,8 @@ double FlatPath::swept(double part) const {
   if (!arc_) return turn(from_, at(part));
   const double distance = kadr::length(center_), here = radius(part);
   if ((radius_ > distance) == (here > distance)) return absolute_deg(part, here) - absolute_deg(0, radius_);
-  // At the part `over`, the radius equals the distance of the centre from the origin; the computation changes from one case of
-  // absolute_deg() to the other there.
+  // At the fraction `over` of the path, the spiral's radius equals the distance from its centre to the origin. There absolute_deg() changes
+  // from one of its formulas to the other.
   const double over = (distance - radius_) / radius_change_;
   const double grown = std::nextafter(distance, 2 * distance + 1);
   const double before = radius_ > distance ? grown : distance, after = here > distance ? grown : distance;

@@ -19,8 +19,8 @@ inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind 
 
 /// The length along which the commanded feed is measured.
 enum class FeedAlong : std::uint8_t {
-  path,  // length of the travel of the linear axes; if only rotary axes move, their travel (NIST 2.1.2.5)
-  turn,  // angle of an arc whose radius changes: the angle advances evenly, at the rate that the feed gives at the arc's start (nct 4.3)
+  path,  // the travel of the linear axes; if only rotary axes move, their travel (NIST 2.1.2.5)
+  turn,  // the angle of a spiral in the plane: the angle advances evenly, at the rate that the feed gives at the spiral's start (nct 4.3)
   arc,   // length of the arc in its plane, without the travel of a helix along its axis (nct 4.3.2, HEF=0)
   all_axes,  // travel of all axes; a millimetre and a degree count alike (nct 4.2)
   xyz,       // travel of X, Y, Z; if they do not move, of the other linear axes; else of the rotary axes (spec/linuxcnc 7.2)
@@ -33,16 +33,16 @@ enum class PathSurface : std::uint8_t { plane, polar, cylinder };
 enum class SideStep : std::uint8_t {
   none,
   begins,  // compensation starts: G41 or G42 is in the motion's block
-  begun,   // compensation was started in an earlier block, which did not move in the plane
+  begun,   // compensation starts with this motion, because the earlier block with G41 or G42 did not move in the plane
   ends,    // compensation ends: G40 is in the motion's block
-  holds,   // G38: the offset vector at the motion's end stays as it was at its start
+  holds,   // G38: the offset vector at the motion's end is the same as at the motion's start
 };
 
 /// The path around an outside corner under cutter compensation.
 enum class CornerJoin : std::uint8_t {
-  extended,  // along straight lines tangential to both elements; a sharp corner is cut off (nct 15.5.2)
-  arc,       // along an arc about the programmed point (2С42 G36, Mach3)
-  straight,  // along both lines, extended to their intersection (2С42 G37)
+  extended,  // the path follows the tangents of both path elements at the corner; it cuts off the tip of a sharp corner (nct 15.5.2)
+  arc,       // the path is an arc about the programmed point (2С42 G36, Mach3)
+  straight,  // the path follows both offset lines to their intersection (2С42 G37)
 };
 
 /// The speed control where two motions meet (nct 6.3).
@@ -54,9 +54,9 @@ enum class CornerSpeed : std::uint8_t {
 
 /// The point at which the first compensated motion ends.
 enum class CompensationApproach : std::uint8_t {
-  by_corner,  // at the point that the corner to the next motion requires (nct 15.5.1)
-  normal,     // on the normal to the next path element at the programmed point (2С42 6.4.7)
-  tangent,    // so that the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
+  by_corner,  // the point from which the tool passes the corner to the next motion (nct 15.5.1)
+  normal,     // a point on the normal to the next path element, through the programmed point (2С42 6.4.7)
+  tangent,    // a point such that the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
 };
 
 /// An axis that copies the travel of another axis, its master (nct 20.2).
@@ -68,10 +68,10 @@ struct Follower {
 
 /// The line or circle that a motion in the plane lies on. It is needed if the start or end of the motion has to be calculated (nct 17.3).
 enum class SupportingCurve : std::uint8_t {
-  none,    // there is none: the ends of the motion are given, and nothing is calculated
-  ray,     // a line with a known start and direction; its end is where the next motion starts
-  line,    // an over-determined line, with a known end and direction; it starts at the intersection with the previous motion
-  circle,  // an over-determined arc, with a known centre; it starts at the intersection with the previous motion
+  none,    // no line or circle is needed: the ends of the motion are given, and nothing is calculated
+  ray,     // a line with a known start and direction; the line ends where the next motion starts
+  line,    // a line with a known end and direction; the line starts at its intersection with the previous motion
+  circle,  // an arc with a known end and centre; the arc starts at its intersection with the previous motion
 };
 
 /// The chamfer, rounding or intersection at the ends of a motion in the plane (nct 17). path/compensation/corner_resolver computes the
@@ -80,10 +80,11 @@ struct CornerData {
   double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: there is no chamfer
   double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: there is no rounding
   SupportingCurve on = SupportingCurve::none;
-  Vec2 direction;         // unit vector in the direction of the line; only for `ray` and `line`
-  double radius = 0;      // radius of the circle, only for `circle`, mm
-  bool farther = false;   // if there are two intersections, the second one is used (Q above 0)
-  bool mirrored = false;  // the programmed plane is mirrored: an arc that is clockwise in the program is counter-clockwise here
+  Vec2 direction;        // unit vector in the direction of a line whose start or end has to be calculated (SupportingCurve::ray, line)
+  double radius = 0;     // radius of an arc whose start has to be calculated (SupportingCurve::circle), mm
+  bool farther = false;  // true: if the two path elements have two intersections, the second one is used (Q above 0)
+  // true: the programmed plane is mirrored, so an arc that is clockwise in the program is executed counter-clockwise
+  bool mirrored = false;
 };
 
 /// Computes the positions of the tool tip and of the rotary axes along a motion with tool centre point control. It is needed only for modes
@@ -119,7 +120,7 @@ struct MotionDetail {
   double side = 1;              // only for polar interpolation: sign of the position that the linear axis had at G12.1
   double offset = 0;            // only for polar interpolation: perpendicular offset of the rotation centre from the linear axis, mm
   double max_rotary_speed = 0;  // only for polar interpolation: greatest speed of the rotary axis, degrees/min; 0: no limit
-  Axes programmed{};            // end point in the coordinates of the program's words
+  Axes programmed{};            // end point of the motion in the coordinates that the program's words have
   bool has_programmed = false;
   std::optional<double> lead;         // lead of a thread: travel per revolution, mm
   std::optional<double> start_angle;  // angle of the spindle at the start of the thread, degrees
@@ -149,11 +150,12 @@ struct MotionPath {
   std::uint8_t first = 0;   // index of the first axis of an arc's plane; counter-clockwise means from the first axis towards the second
   std::uint8_t second = 1;  //
   EndReference end_reference = EndReference::by_work;
-  AxisMask named = 0;          // axes whose position the block states
-  Vec2 center;                 // centre of an arc, in the two axes of its plane, work coordinates
-  double turns = 0;            // swept angle / 360°, positive; the radius changes linearly with the angle
-  bool as_programmed = false;  // the end point is exactly as the program's words state it; set where rotated frames are possible (nct 25)
-  bool inch = false;           // the lengths of the block were stated in inches
+  AxisMask named = 0;  // axes whose position the block states
+  Vec2 center;         // centre of an arc, in the two axes of its plane, work coordinates
+  double turns = 0;    // swept angle / 360°, positive; the radius changes linearly with the angle
+  // true: the end point equals the coordinates that the program states; set only on controls with rotated frames (nct 25)
+  bool as_programmed = false;
+  bool inch = false;  // the lengths of the block were stated in inches
 };
 
 /// The feed of a motion, and how exactly the motion follows its path.
@@ -181,8 +183,9 @@ struct MotionCompensation {
   // path.
   std::uint8_t nose = 0;
   SideStep side_step = SideStep::none;
-  CornerJoin join_corner = CornerJoin::extended;                 // shape of the corner between this motion and the next motion
-  CompensationApproach entry = CompensationApproach::by_corner;  // used only if compensation starts with this motion
+  CornerJoin join_corner = CornerJoin::extended;  // shape of the corner between this motion and the next motion
+  // first compensated position; only for a motion with which compensation starts
+  CompensationApproach entry = CompensationApproach::by_corner;
 };
 
 /// The work offset, tool length and drilling cycle that a motion belongs to.

@@ -48,7 +48,7 @@ struct Pose {
 class WorkTransform {
  public:
   virtual ~WorkTransform() = default;
-  /// Returns true if the Placement's own fields determine the axis positions, so that this object only describes the pose.
+  /// Returns true if the fields of the Placement alone determine the axis positions; this object then only computes the pose of the tool.
   virtual bool is_plain() const = 0;
   /// Returns true under tool centre point control. In this case, machine_of() gives the axis positions at each point of a motion (nct
   /// 25.14). Otherwise machine_of() gives them at the end of the motion only, and the axes move evenly to that point.
@@ -86,8 +86,10 @@ struct Placement {
   Axes origin{};  // origin of the work system in machine coordinates, with all shifts except those in `shift`
   Axes length{};  // tool length by axis, mm
   Axes shift{};   // shift that is rotated together with the work coordinates (G52 and G92 of the NCT); zero without `turn`
-  std::shared_ptr<const FrameTurn> turn{};       // nullptr: no rotation, or a rotation that depends on the rotary axes (see `space`)
-  std::shared_ptr<const WorkTransform> space{};  // nullptr: no transformation in space; unless is_plain(), it determines the axis positions
+  // rotation of the frame; nullptr: no rotation, or a rotation that depends on the rotary axes (see `space`)
+  std::shared_ptr<const FrameTurn> turn{};
+  // transformation in space, which determines the axis positions unless its is_plain() is true; nullptr: no transformation
+  std::shared_ptr<const WorkTransform> space{};
   friend bool operator==(const Placement&, const Placement&) = default;
 
   Axes machine_of(const Axes& work) const;
@@ -97,7 +99,7 @@ struct Placement {
   AxisMask moved_with(AxisMask named) const;
   /// Returns the machine axis that a programmed axis drives.
   std::size_t driven(std::size_t axis) const { return turn == nullptr ? axis : turn->drives.of(axis); }
-  /// Returns true if machine_of() only adds values, separately for each axis.
+  /// Returns true if machine_of() only adds constants to the coordinates, without a rotation or a transformation in space.
   bool is_plain() const { return turn == nullptr && (space == nullptr || space->is_plain()); }
 };
 

@@ -13,7 +13,7 @@ struct PolarAxes {
   double rotary = 0;
 };
 
-/// A view of a path, which must exist longer than this object.
+/// The path of the linear and the rotary axis. A PolarPath refers to the path in the plane, which must exist longer than the PolarPath.
 class PolarPath {
  public:
   /// Creates the view. `side`: sign of the linear axis' position; `offset`: p, mm; `rotary_start`: position of the rotary axis at part 0,

@@ -12,13 +12,14 @@
 
 namespace kadr {
 
-/// A view of an action. The constructor's arguments must exist longer than the view; KeptStep is a copy without this condition.
+/// An action with its time and the tool's position before it. A Step refers to the constructor's arguments, which must exist longer than
+/// the Step; a KeptStep is a copy without this condition.
 class Step {
  public:
   Step(const AxisRoles& its_roles, const Action& its_action, const ToolPosition& before, double start = 0, const MotionTime& its_time = {},
        double still = 0)
       : roles(its_roles), action(its_action), from(before), begins(start), time(its_time), pause(still) {}
-  Step(const Step&) = delete;  // a copy is not possible, because the curve refers to members of this object
+  Step(const Step&) = delete;  // A Step cannot be copied, because its curve refers to members of the Step.
   Step& operator=(const Step&) = delete;
 
   const AxisRoles& roles;    // axes of the channel

@@ -20,7 +20,7 @@ struct SurfaceSpeed {
   double most = no_limit;
 
   static constexpr double no_limit = 1e300;
-  // Value of `axis` if no axis is named by the parameter: the spindle speed is then that of the rotation centre
+  // value of `axis` if the parameter names no axis; the spindle then has the speed for the rotation centre
   static constexpr std::uint8_t no_axis = 255;
 
   /// Returns the distance from the rotation centre, mm, at which this surface speed gives the spindle speed `rpm`.
@@ -31,7 +31,8 @@ struct SurfaceSpeed {
     const double diameter = axis < work.size() ? 2 * std::fabs(work[axis]) : 0;
     return std::min(std::max(diameter > 0 ? mm_per_m * metres / (pi * diameter) : no_limit, least), most);
   }
-  /// Like rpm(work), but with the previous speed. INFERRED: at the rotation centre, without an upper limit, the result is `before`.
+  /// Returns the spindle speed in rev/min at a position in work coordinates; `before` is the previous speed. INFERRED: at the rotation
+  /// centre, if there is no upper limit, the spindle keeps the previous speed.
   double rpm(const Axes& work, double before) const {
     const double now = rpm(work);
     return now < no_limit ? now : before;

@@ -37,8 +37,8 @@ inline bool controls_tip(const ToolPosition& from, const Motion& motion) {
   return from.space && from.space->controls_tip() && !(motion.detail && motion.detail->evenly);
 }
 
-/// Like machine_along(), for a motion with tool centre point control (nct 25.14). The tip's position comes from the motion's TipPath or,
-/// without one, from the work coordinates; the axis positions are computed from the tip's position.
+/// Returns the machine coordinates at `part` (0 to 1) of a motion with tool centre point control (nct 25.14). The tip's position comes from
+/// the motion's TipPath or, without a TipPath, from the work coordinates; the axis positions are computed from the tip's position.
 inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   if (part <= 0) return from.machine;
   if (part >= 1) return motion.machine;

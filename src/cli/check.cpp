@@ -43,7 +43,7 @@ struct Report {
   }
 };
 
-/// Collects the findings in one file. Findings that the baseline contains are omitted.
+/// Collects the findings about one program file. Findings that the baseline contains are omitted.
 class Collector {
  public:
   Collector(const Job& job, const Options& options, Report& report, Found& found)
@@ -70,7 +70,8 @@ class Collector {
   Found& found_;
 };
 
-enum class Checked { clean, faulty, unreadable, unknown };  // unknown: the file is no program of a control that Kadr supports
+// the result of checking a file: `unknown` means that the file is no program of a control that Kadr supports
+enum class Checked { clean, faulty, unreadable, unknown };
 
 Checked check_program(const Job& job, const RunLimits& limits, ProgramCheck& check) {
   auto program = open_program(job);
@@ -91,10 +92,10 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   if (!job) return Checked::unreadable;
   const std::size_t programs = options.program == 0 ? count_programs(*job) : 1;
   RunLimits limits = options.limits;
-  // true: each program runs once, since --max-passes does not request several runs
+  // true: each program runs only once, since the user has not requested several runs by --max-passes
   const bool one_pass = limits.restarts == RunLimits{}.restarts;
   if (one_pass) limits.restarts = 0;
-  // true: the file contains no other program, so its tools file and set-up belong to this program only
+  // true: the tools file and the set-up belong to this program only, since the file contains no other program
   const bool only_program = programs == 1 && options.program == 0;
   if (!basis.tools) basis.tools = tool_table_next_to(file);
   basis.own_tools = only_program && (basis.own_tools || (basis.tools && basis.tools->kind == ToolTable::Kind::own));
@@ -175,7 +176,7 @@ void write_findings(std::FILE* to, const Options& options, const Report& report,
   Invocation invocation{KADR_VERSION, status, {}};
   for (const Unreadable& file : report.unreadable) invocation.unreadable.emplace_back(file.path, file.reason);
   const std::string text = options.format == "json" ? findings_json(report.findings) : findings_sarif(report.findings, invocation);
-  write_data(to, text);  // the result need not be checked here, since Outputs::keep() reports write errors
+  write_data(to, text);  // a write error is not checked here, since Outputs::keep() reports it
 }
 
 }  // namespace
@@ -206,7 +207,7 @@ int check(const Options& given) {
     const bool named = std::find(options.programs.begin(), options.programs.end(), file) != options.programs.end();
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);
-    // an unknown file is an error only if the user has named it, since a folder may also contain other files
+    // a file that is no program is an error only if the user has named it, since a folder may also contain files of other kinds
     if (result == Checked::unreadable || (result == Checked::unknown && named)) {
       report.unreadable.push_back({file, translated(texts::check_command::cannot_be_checked)});
       status = wrong_usage;

@@ -142,7 +142,7 @@ class ConvertCommand {
     return ok;
   }
 
-  /// Returns the first part of the text, which is sufficient for guessing the control.
+  /// Returns the first part (at most 256 KiB) of the converted program, from which the control of this program can be guessed.
   static std::string beginning_of(const ConversionTry& one) {
     constexpr std::size_t looked_at = std::size_t{256} << 10;  // greatest length of the first part, bytes
     std::string text;
@@ -218,7 +218,7 @@ class ConvertCommand {
   Outputs outputs_;
   std::optional<Job> job_;
   std::shared_ptr<const ControlDef> to_;
-  WrittenLetters letters_;  // letters (encoding) of the converted program
+  WrittenLetters letters_;  // characters and encoding of the converted program
 };
 
 }  // namespace

@@ -30,7 +30,8 @@ namespace kadr::cli {
 namespace {
 
 constexpr double bytes_of_mb = 1 << 20;
-// permitted depth of a gouge, mm; position error of a surface point as a fraction of the cell size (docs/stock.md)
+// Default permitted depth of a gouge: `allowed` in mm, plus `allowed_of_cell` times the cell size, the position error of a surface point
+// (docs/stock.md).
 constexpr double allowed = 0.01, allowed_of_cell = 0.1;
 
 /// Returns the output files of the command. They are not open yet.
@@ -64,7 +65,7 @@ struct Cut {
   const Surface& surface;
   const PartComparison& held;
   const CutRun& run;
-  const Stock& stock;  // the stock to which `surface` belongs
+  const Stock& stock;  // the stock, of the blank or of the window, whose surface is `surface`
 };
 
 /// Draws the picture if --plot requests one. Returns an error sentence if the picture cannot be drawn.
@@ -106,8 +107,8 @@ bool can_write(const CutOptions& options) {
   return fault.empty();
 }
 
-/// Prints the numbers, compares the result with the target part, and writes the files. To be called after the execution of the program.
-/// Returns the exit status.
+/// Prints the results of the cut, compares the part with the target part, and writes the output files. To be called after the execution of
+/// the program. Returns the exit status.
 int print_results(const CutOptions& options, const Job& job, const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part,
                   Outputs& outputs) {
   const Stock* const window = run.cutting().window();

@@ -65,7 +65,8 @@ class Debugger : public PartOfProgram {
     const bool asks = ::isatty(STDIN_FILENO) != 0;
     for (std::string line; !quit_ && !interrupted();) {
       if (asks) type_out("(kadr) ");
-      if (std::fflush(stdout) != 0 || !std::getline(std::cin, line)) break;  // the output is closed, or the input contains no more commands
+      // the debugger ends if its output is closed, or if the input contains no more commands
+      if (std::fflush(stdout) != 0 || !std::getline(std::cin, line)) break;
       obey(split(line));
     }
     if (state_ == Session::State::held) (void)session_->stop_here();
@@ -77,7 +78,7 @@ class Debugger : public PartOfProgram {
   void obey(const DebugCommand& command) {
     using How = Stepping::How;
     const auto& [word, rest] = command;
-    if (word.empty() || word[0] == '#') return;  // a script of commands may contain comments
+    if (word.empty() || word[0] == '#') return;  // empty lines and comments (#) in a script of commands have no effect
     if (word == "step" || word == "s") return move(How::block, rest);
     if (word == "next" || word == "n") return move(How::over, rest);
     if (word == "finish" || word == "f") return move(How::out, "");
@@ -160,10 +161,10 @@ class Debugger : public PartOfProgram {
     if (!target || !is_held()) return;
     if (!session_->control().search_rules()) return type_out("{}\n", translated(texts::debug::no_block_search));
     keep();
-    if (first_)  // the control's block search starts at the beginning of the program, so the state there is restored
+    if (first_)  // the control's block search starts at the beginning of the program, so the state at the beginning is restored first
       if (const Status restored = stepping().restore(*first_); !restored) return print_alarm(restored.error(), "");
     print_search(*session_, stepping(), *target, job_->lang);
-    // after the end of the program, go_on() returns how the program ended
+    // if the search has ended at the end of the program, go_on() returns how the program ended
     state_ = stepping().next() ? Session::State::held : session_->go_on();
     show();
   }

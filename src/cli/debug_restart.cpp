@@ -26,7 +26,7 @@ void list(const std::string& title, const std::vector<BlockSearch::Code>& codes)
 }  // namespace
 
 void print_restart(Session& session, const Stepping& stepping, const Restart& begins, double clearance, Lang lang) {
-  // height above the restart position below which the last motion is at feed, mm; that feed, mm/min
+  // Distance in mm above the restart position from which the last motion is at feed, and this feed in mm/min.
   constexpr double above = 2, feed = 100;
   const auto restart = restart_here(session, stepping);
   if (!restart) return;

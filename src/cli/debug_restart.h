@@ -6,8 +6,8 @@
 
 namespace kadr::cli {
 
-/// Prints the blocks that change the state `begins` to the state in force at the block before which the session is held. Also prints what
-/// the operator must do by hand.
+/// Prints the blocks with which a program can start at the block before which the session is held. These blocks change the modes from the
+/// state `begins` to the state in force there. Also prints what the operator must do by hand.
 ///   clearance  work coordinate of the tool axis at which the axes move to the restart position, mm
 ///   pre        the session is held before a block
 void print_restart(Session& session, const Stepping& stepping, const Restart& begins, double clearance, Lang lang);

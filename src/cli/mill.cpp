@@ -43,7 +43,7 @@ class MillCommand {
     progress_.reset();
     if (!outputs_.open()) return wrong_usage;
     const std::string& program = made->program.text;
-    write_data(outputs_.stream("--output"), program);  // the result need not be checked here, since Outputs::keep() reports write errors
+    write_data(outputs_.stream("--output"), program);  // a write error is not checked here, since Outputs::keep() reports it
     if (!options_.plot.empty() && !draw(*made)) return wrong_usage;
     if (!outputs_.keep()) return wrong_usage;
     if (const std::string warning = warning_of_holes(*made, lang_); !warning.empty()) complain(warning);

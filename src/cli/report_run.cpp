@@ -86,7 +86,8 @@ class ReportRun {
   void execute() {
     run_->on_alarm = [this](const AlarmReport& report, double at, int channel) {
       AlarmReport shown_report = report;
-      if (channel != 0) shown_report.origin.line = 0;  // the line is removed, since it is in the program of another channel
+      // an alarm of another channel gets no line number, since its line is in the program of that channel
+      if (channel != 0) shown_report.origin.line = 0;
       take(shown_report, at);
     };
     run_->on_progress = [this](double part, std::uint64_t blocks, double) {

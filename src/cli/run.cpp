@@ -54,8 +54,8 @@ bool has_threads(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::thread; });
 }
 
-/// True if the trace or the samples go to the terminal. Then no progress bar is shown, since a bar between these lines would make both
-/// unreadable.
+/// True if the trace or the samples go to the terminal. Then no progress bar is shown, since the bar would make the lines of the trace or
+/// of the samples unreadable.
 bool writes_to_terminal(const Options& options) { return (options.trace == "-" || options.samples == "-") && ::isatty(STDOUT_FILENO) != 0; }
 
 class RunCommand {
@@ -153,7 +153,7 @@ class RunCommand {
       outlets.step = [&view](const Step& step) { view.show(step); };
       outlets.timed = [&view](const Step& step, double longer) { view.show_timed(step, longer); };
     } else if (!channels_.front().control->may_read_clock()) {
-      outlets.clock = nullptr;  // without a summary, no output needs the times of the steps
+      outlets.clock = nullptr;  // the times of steps are not computed, since without a summary no output needs them
     }
     session_.change_outlets();
     drive_.execute(session_);
@@ -360,7 +360,7 @@ int run_by(const Options& options, Drive& drive) {
   limits.untouched = outputs.all();
   const auto session = make_session(*job, std::move(*program), limits);
   if (!session || !outputs.open()) return wrong_usage;
-  // Drive::leave() must be called before the session is destroyed, so this object is destroyed first.
+  // The destructor of this object calls Drive::leave(). The object is destroyed before the session, since leave() needs the session.
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(&drive, [](Drive* left) { left->leave(); });
   std::string state_fault;
   if (state_file) save_changes(*state_file, session->control(), state_fault);

@@ -29,7 +29,7 @@ struct View {
 
   Statistics statistics;
   std::optional<TraceWriter> trace;
-  std::optional<Plot> plot;    // the picture, only for the channel that runs the program itself
+  std::optional<Plot> plot;    // the picture; it exists only for the channel that runs the program itself
   Planned* planned = nullptr;  // the plan, only for the channel that runs the program itself; nullptr: no plan
   double waited = 0;           // time that the channel has waited for other channels, s
 };

@@ -100,7 +100,7 @@ class TemplateMaker {
     const std::string name = std::to_string(use.number);
     auto row = std::find_if(made_.offsets.begin(), made_.offsets.end(), [&](const SetupTemplate::Row& r) { return r.name == name; });
     if (row == made_.offsets.end()) row = made_.offsets.insert(made_.offsets.end(), {name, {}});
-    // an earlier use has already added this value to the row, so it is not added again
+    // a value that an earlier use has already added to the row of the offset table is not added again
     if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;
     const std::string used_at = (use.tool != 0 ? fmt::format("T{}, ", use.tool) : "") + place(use.origin);
     const bool is_radius = std::string_view(what) == "radius";
@@ -135,8 +135,8 @@ class TemplateMaker {
   }
   std::optional<ToolProposal> proposal_for(std::uint32_t tool) const { return proposals_.of(tool, called_at(tool)); }
 
-  /// Returns the sentence. If a comment of the program mentions the tool without a certain size, that comment is appended. `tool` 0: only
-  /// the sentence is returned.
+  /// Returns `sentence`. If a comment of the program mentions the tool, but gives no certain size, the comment and its line number are
+  /// added. If `tool` is 0, nothing is added.
   std::string with_unsure(const std::string& sentence, std::uint32_t tool) const {
     const auto comment = tool == 0 ? std::nullopt : proposals_.unsure(tool, called_at(tool));
     return comment ? in_words(texts::setup_command_notes::not_sure, sentence, comment->line, comment->text) : sentence;
@@ -149,7 +149,7 @@ class TemplateMaker {
     else made_.notes.push_back(with_unsure(fmt::format("T{}: {}", tool, place(use.origin)), tool));
   }
 
-  /// True if the line contains a block, and not only the number of the program.
+  /// True if the line contains a block that the control executes, not only % or the number of the program.
   static bool holds_block(const std::string& text) {
     const std::string rest = without_comments(text);
     if (rest.empty() || rest[0] == '%') return false;

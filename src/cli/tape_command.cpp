@@ -72,7 +72,7 @@ int tape(const TapeOptions& options) {
   const int status = options.decode ? decode(options, *bytes, output, lang) : encode(options, *bytes, output, lang);
   if (output.empty() && status != ok) return status;
   if (!outputs.open()) return wrong_usage;
-  write_data(outputs.stream("OUTPUT"), output);  // the result need not be checked here, since Outputs::keep() reports write errors
+  write_data(outputs.stream("OUTPUT"), output);  // a write error is not checked here, since Outputs::keep() reports it
   return outputs.keep() ? status : wrong_usage;
 }
 

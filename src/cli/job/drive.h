@@ -18,7 +18,7 @@ class Drive {
   virtual std::optional<Exit> begin(Session& session, const Job& job);
   virtual void execute(Session& session) { (void)session.run(); }
   virtual bool wants_summary() const { return true; }
-  /// Called before the session is destroyed. Afterwards the drive must not use the session.
+  /// run_by() calls this function before the session is destroyed. Afterwards the drive must not use the session.
   virtual void leave() {}
 };
 

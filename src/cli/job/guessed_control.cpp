@@ -17,7 +17,7 @@ namespace {
 
 GivenEncoding encoding_of(const Options& options) {
   GivenEncoding given;
-  (void)read_encoding(options.encoding, given);  // the result is ignored, since make_job() reports an unknown encoding later
+  (void)read_encoding(options.encoding, given);  // an unknown encoding is ignored here, since make_job() reports it later
   return given;
 }
 
@@ -41,8 +41,8 @@ bool remembers(const Options& options, const std::string& file) {
   return error.empty();
 }
 
-/// Stores the control once in each folder of the files, if --remember is given. This is done before the first guess. Returns the files for
-/// whose folder it failed.
+/// Stores the control once in each folder of the files, if the user has given --remember, before the first control is guessed. Returns the
+/// files in whose folder the control could not be stored.
 std::set<std::string> forgotten_of(const Options& options, const std::vector<std::string>& files) {
   std::set<std::string> forgotten, remembering;
   for (const std::string& file : files)
@@ -80,7 +80,8 @@ void GuessedControls::print_neighbours(const std::string& file, const FolderGues
   complain(translated_in(lang, texts::job::like_its_neighbour, file, common.control, shown_by, reason));
 }
 
-/// Returns true if the file is a lathe program whose control Kadr supports for milling only. Then the function also prints this reason.
+/// Returns true if the file is a lathe program, and Kadr supports its control for milling only. Then the function also prints a message
+/// with this reason.
 bool GuessedControls::refuses(const std::string& file, const std::string& control) const {
   if (control.ends_with(".toml")) return false;
   const auto text = beginning_of_program(file, encoding_of(options_));

@@ -21,7 +21,7 @@ struct Job {
   GivenEncoding encoding;
   std::uint32_t program = 0;                 // number of the program to run, if a tape contains several programs
   std::optional<std::size_t> program_index;  // index of the program on the tape, from 0; if set, it is used instead of the number
-  KeyLines setup_lines;                      // line numbers at which the keys are in the set-up file
+  KeyLines setup_lines;                      // line numbers of the keys in the set-up file, for messages about a key
   std::set<std::string> stated;              // keys of the set-up for which the user states a value: PlacedSetup::stated
   Lang lang = Lang::en;
 

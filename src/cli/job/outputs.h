@@ -49,8 +49,8 @@ class Outputs {
     std::optional<ResultFile> file;
   };
   std::string fault_of(std::size_t index) const;
-  /// Returns the error message for an output that is the same file as another one: `sentence` with the option, the name of the output, and
-  /// `other`.
+  /// Returns the error message for an output that is the same file as another one. The message is `sentence` with the option and the name
+  /// of the output, and with `other`, the name of the other file.
   std::string clash(const Output& output, TextId<3> sentence, const std::string& other) const;
 
   Lang lang_;

@@ -26,7 +26,7 @@ namespace {
 
 // offset of the exit status: as in shells, the status is this number plus the number of the signal
 constexpr int first_of_signals = 128;
-// time that a command has to end by itself; with it, every command ends within 0.2 s
+// time in which a command can end by itself after a signal; the limit ensures that every command ends within 0.2 s
 constexpr auto grace = std::chrono::milliseconds(150);
 
 std::atomic<bool> stop_requested = false;

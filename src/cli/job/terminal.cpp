@@ -19,7 +19,8 @@
 namespace kadr::cli {
 namespace {
 
-std::mutex writing;                // locked during output, since the thread that waits for Ctrl-C also erases the progress bar
+// locked during output to the terminal, since the thread that waits for Ctrl-C also erases the progress bar
+std::mutex writing;
 std::size_t characters_shown = 0;  // number of characters of the progress bar that the terminal shows now
 
 void erase_shown() {

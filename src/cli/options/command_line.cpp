@@ -115,7 +115,8 @@ void want_values(CLI::App& app) {
       const bool is_option = word.size() > 2 && word.starts_with("--");
       return is_option ? translated(texts::command_line::value_is_missing, option->get_type_name()) : std::string();
     };
-    option->transform(CLI::Validator(check, ""));  // a transform runs before the other checks of the value
+    // CLI11 calls a transform before the other checks of a value, so a missing value is reported first
+    option->transform(CLI::Validator(check, ""));
   }
   for (CLI::App* const sub : app.get_subcommands({})) want_values(*sub);
 }

@@ -105,7 +105,8 @@ std::string shell_groups(const CLI::App& app) {
   return groups;
 }
 
-// Functions of bash and zsh that the tables below call. They suggest the words that begin with $word, in small or capital letters.
+// Functions of the completion scripts of bash and zsh. They suggest the words that begin with $word, in small or capital letters. The
+// tables that tables() writes call these functions.
 constexpr const char* bash_functions = R"sh(# bash completion of kadr; made by `kadr completion bash`
 _kadr_words() {
   local one
@@ -167,7 +168,7 @@ constexpr const char* zsh_beginning = R"sh(_kadr() {
   if ((CURRENT > first + 1)); then group="$command ${words[first + 1]}"; fi
 )sh";
 
-/// Returns the tables that the functions of bash and zsh read.
+/// Returns the part of the completion scripts of bash and zsh that lists the commands, options and values of `app`.
 std::string tables(const CLI::App& app) {
   std::string values, words;
   shell_values(app, "", values);

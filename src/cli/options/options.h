@@ -43,12 +43,13 @@ struct Options {
   std::vector<std::string> exclude;      // patterns of paths; matching files in folders are not checked
   std::vector<std::string> control_for;  // texts of the form PATTERN=ID, which state the control of the files whose names match the pattern
   bool guesses_silently = false;         // true: no message about a guessed control is printed
-  std::string table;                     // tools file with which the programs are compared; empty: the tools file next to each program
-  bool strict = false;                   // true: warnings count as errors
-  std::string explained;                 // id of a finding that is explained instead of a check
-  bool every = false;                    // true: every finding is printed in full, even if it is repeated often
-  std::vector<std::string> disabled;     // ids of warnings and notes that are not reported
-  std::vector<int> skip;                 // numbers of the block-skip switches that are on
+  // tools file with which the tools of the programs are compared; empty: the tools file in the same folder as each program
+  std::string table;
+  bool strict = false;                // true: warnings count as errors
+  std::string explained;              // id of a finding that is explained instead of a check
+  bool every = false;                 // true: every finding is printed in full, even if it is repeated often
+  std::vector<std::string> disabled;  // ids of warnings and notes that are not reported
+  std::vector<int> skip;              // numbers of the block-skip switches that are on
   // number of the program on a tape with several programs; 0: the first program, or all programs for the command check
   std::uint32_t program = 0;
   bool optional_stop = false;

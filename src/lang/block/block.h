@@ -36,7 +36,7 @@ struct Word {
   double second = std::numeric_limits<double>::quiet_NaN();  // second number of a word such as `L2 15`; NaN if the word has only one number
   Span where;
   Expression expression;   // expression that gives the value when the block is executed; empty: the value is known
-  Expression axis;         // number of the axis in AX[n]=…
+  Expression axis;         // number of the axis for a word of the form AX[n]=…
   std::int32_t code = -1;  // ten times the number of a G or M code (G54.1 is 541); -1: the word is not a code
   char address = 0;
   std::uint8_t digits = 0;   // number of digits with which the value is written
@@ -52,7 +52,7 @@ enum class StatementKind : std::uint8_t {
   none,
   words,  // IF[…] THEN with words of an NC block; the words are executed if the conditions are true
   assign,
-  message,  // #3000=n(text) and similar; the text is the first comment of the block
+  message,  // an assignment that shows a message, such as #3000=n(text); the text is the first comment of the block
   go_to,
   loop,  // WHILE[…] DOm or DOm
   loop_end,
@@ -90,10 +90,10 @@ std::string_view name_of(OWord word);
 
 struct Statement {
   StatementKind kind = StatementKind::none;
-  std::uint8_t loop = 0;             // number m of DOm, ENDm
+  std::uint8_t loop = 0;             // number m of a loop, in DOm and ENDm
   std::uint8_t condition_count = 0;  // number of conditions of IF or WHILE, all of which must be true
   bool with_if = false;
-  bool words_follow = false;  // words of the block follow an assignment after IF (spec/haas 2.3)
+  bool words_follow = false;  // true: words of the block follow the assignment in IF[…] THEN #n=… (spec/haas 2.3)
   std::array<Expression, limits::conditions> conditions{};
   Expression target;   // number of the variable that is assigned (`assign`)
   Expression value;    // `assign`: the value; `go_to`: the block number; ports and files: the number n after the keyword
@@ -130,7 +130,7 @@ struct BlockShape {
   void add(char letter, std::int32_t code) {
     constexpr unsigned letter_bits = 7, code_bits = 17;
     const unsigned bits = code >= 0 ? letter_bits + code_bits : letter_bits;
-    // The block has too many words, so its shape becomes invalid.
+    // A block with too many words makes the shape invalid.
     if (second >> (64 - bits) != 0) return void(*this = {0, ~std::uint64_t{0}});
     const std::uint64_t item = (code >= 0 ? static_cast<std::uint64_t>(code) << letter_bits : 0) | static_cast<std::uint64_t>(letter);
     second = second << bits | first >> (64 - bits);
@@ -161,15 +161,17 @@ struct Block {
   std::vector<Span> comments;         // locations of the comments, without their brackets
   std::vector<Alarm> warnings;        // warnings about the block, for example about look-alike letters
   Statement statement;
-  Span file_name;               // location of a file name between < and >
-  std::optional<Alarm> broken;  // a fault after the words; faults of the words before it are reported first (spec/grbl 1.3)
-  bool evaluates = false;       // the value of at least one word is an expression
-  bool codes_vary = false;      // the number of at least one code is an expression
-  bool repeated = false;        // the block remains in memory at this address, because a loop executes it again
-  bool no_clock = false;        // no expression of the block reads a clock, as a check has found
-  std::uint64_t checked = 0;    // value of `letters` when the words were last found correct; 0: the words have not been checked
-  bool calls_macro = false;     // the check that set `checked` has found that the block calls a macro
-  bool altered = false;         // words were removed from the block during execution; a removed word has the address 0
+  Span file_name;  // location of a file name between < and >
+  // a fault that was found after some words of the block; the control reports faults of these words first (spec/grbl 1.3)
+  std::optional<Alarm> broken;
+  bool evaluates = false;   // the value of at least one word is an expression
+  bool codes_vary = false;  // the number of at least one code is an expression
+  bool repeated = false;    // the block remains in memory at this address, because a loop executes it again
+  bool no_clock = false;    // true: a check has found that no expression of the block reads a clock
+  // set of addresses (`letters`) with which the last check found the words correct; 0: the words have not been checked
+  std::uint64_t checked = 0;
+  bool calls_macro = false;  // true: the last check of the words has found that the block calls a macro
+  bool altered = false;      // words were removed from the block during execution; a removed word has the address 0
 
   bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }
   /// Returns the first word with this address; nullptr if the block has no such word.
@@ -188,7 +190,7 @@ struct Block {
     file_name = {};
     broken.reset();
     if (statement.kind != StatementKind::none || statement.condition_count != 0 || statement.with_if)
-      statement = {};  // a faulty IF has conditions but no kind yet, so the kind alone does not decide
+      statement = {};  // the conditions are examined in addition to the kind, because a faulty IF has conditions but no kind yet
     number_digits = skip = 0;
     number = label = word_count = 0;
     letters = 0;

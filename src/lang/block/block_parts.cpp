@@ -1,4 +1,4 @@
-// Reads the parts of a block that are not words. Used by lang/block/lexer.
+// Reads the parts of a block that are not words: assignments and comments. Used by lang/block/lexer.
 
 #include "lang/block/block_parts.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Reads the parts of a block that are not words. Used by the lexer only.
+// Reads the parts of a block that are not words: assignments and comments. Used by the lexer only.
 
 #include "base/result.h"
 #include "lang/block/block.h"

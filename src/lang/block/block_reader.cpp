@@ -44,9 +44,9 @@ std::string BlockReader::shown(std::string_view text, Span& place) const {
     if (i <= place.begin) there.begin = static_cast<std::uint32_t>(all.size());
     if (i <= place.end) there.end = static_cast<std::uint32_t>(all.size());
     if (i == text.size()) break;
-    // The eighth bit is removed, also from a row with wrong parity.
+    // The eighth bit of a tape row is a parity bit, so it is removed, also from a row with wrong parity.
     if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);
-    // Blank tape becomes a blank, so that the offsets of later characters do not change.
+    // A row of blank tape becomes a space character, so that the offsets of later characters do not change.
     else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';
     else if (!append_utf8(text.substr(i, bytes), encoding(), all)) all += '?';
   }
@@ -116,7 +116,8 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   is_text_ = false;
   if ((memory_.encoding && is_tape(*memory_.encoding)) || memory_.expects_high_bytes) {
     const Status decoded = decode_line();
-    if (!decoded && is_tape(encoding())) {  // in an encoding that is not a tape's the damaged byte may be in a comment, so lex_line decides
+    // an undecodable byte on a tape is an alarm at once; in other encodings the byte may be in a comment, so lex_line decides
+    if (!decoded && is_tape(encoding())) {
       block.clear();
       block.position = {line_.offset, line_.number, 0};
       block.text = text_;
@@ -147,7 +148,7 @@ Status BlockReader::lex_line(Block& block) {
       rest_ = text_.size();
       return decoded;
     }
-    if (rest_ != 0) {  // earlier blocks of the line were read undecoded, so rest_ is converted to the offset in the decoded text
+    if (rest_ != 0) {  // earlier blocks of the line were read undecoded, so their length is converted to the length of the decoded text
       std::string before;
       (void)append_utf8(line_.bytes.substr(0, rest_), *memory_.encoding, before);
       rest_ = before.size();
@@ -171,7 +172,7 @@ Status BlockReader::lex_line(Block& block) {
     }
   }
   if (!lexed) {
-    // The words after the fault are skipped, up to the next end of block.
+    // The words after a faulty word are skipped, up to the next end of a block.
     const std::size_t mark = is_text_ ? text_.find(end_mark_in_text, lexed.error().where.end) : std::string_view::npos;
     rest_ = mark == std::string_view::npos ? text_.size() : mark + end_mark_in_text.size();
     return fail(lexed.error());
@@ -207,7 +208,7 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
       joined_ += '\n';
       joined_ += next.bytes;
     } else {
-      // Every end of line is stored, because later locations are counted in lines.
+      // The end of every line of a comment is stored, because locations after the comment are found by counting lines.
       if (joined_.size() < limits::line_bytes) joined_ += '\n';
       if (closed) joined_ += next.bytes.substr(end);
     }

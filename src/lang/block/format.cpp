@@ -16,7 +16,8 @@ using Failed = tl::unexpected<std::string>;
 constexpr std::string_view decimal_sign = "DS";
 // Addresses of codes; G0, G01 and M2 are all accepted, whatever the format requires about leading zeros.
 constexpr std::string_view code_letters = "GM";
-constexpr std::string_view without_point = "NGM";  // addresses whose number has no fraction, even if the descriptor has DS
+// addresses whose number has no fraction, even if the descriptor allows decimal points (DS)
+constexpr std::string_view without_point = "NGM";
 
 bool holds(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
@@ -85,7 +86,7 @@ class Descriptor {
     const std::size_t size = format_size(rest_.substr(1));
     auto format = parse_word_format(rest_.substr(1, size), point_);
     if (!format) return not_understood(piece, format.error());
-    // N043G2 is an example of this error.
+    // The descriptor N043G2 has this error: its N has digits for a fraction.
     if (letter == 'N' && format->implied) return not_understood(piece, "a block number has no fraction");
     rest_.remove_prefix(1 + size);
     set(letter, *format, count);
@@ -121,7 +122,8 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
   format.known = true;
   format.point = point;
   format.sign = take_sign(digits);
-  const bool one_more = take(digits, "*");  // 2С42 6.2, the note on T*2: "an additional digit"; INFERRED: the star stands for this digit
+  // INFERRED: the star in T*2 stands for an additional digit, which the note on T*2 mentions (2С42 6.2)
+  const bool one_more = take(digits, "*");
   if (digits.starts_with('-')) return Failed("a sign is written + or ±");
   format.drop_zeros = take(digits, "0");
   if (digits.empty() || digits.size() > 2) return Failed("one or two digits say how many stand before and after the point");
@@ -135,7 +137,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
 }
 
 tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar) {
-  Grammar changed = grammar;  // Either all changes of a descriptor are made, or none, so a copy is changed
+  Grammar changed = grammar;  // a copy is changed, because a faulty descriptor must change nothing
   auto applied = Descriptor(descriptor, changed).apply();
   if (applied) grammar = changed;
   return applied;

@@ -38,7 +38,7 @@ inline std::string address_written(char address) {
 
 /// A name of several characters (nct 2.2, 11.1.1).
 struct AddressName {
-  std::string text;  // the name in upper case
+  std::string text;  // text of the name in upper case, as a program may write it
   char address = first_name;
 };
 
@@ -60,7 +60,7 @@ struct VariableName {
 
 /// The format of the digits of one address (format descriptor of ISO 6983 and GOST 20999-83; spec/gost 3).
 struct WordFormat {
-  bool known = false;      // true if the control has this address
+  bool known = false;      // true: the control has words with this address
   bool sign = false;       // a sign is allowed before the digits
   bool drop_zeros = true;  // leading zeros may be omitted; if not, every digit must be written
   bool point = false;      // an explicit decimal point is allowed
@@ -71,12 +71,13 @@ struct WordFormat {
   std::uint8_t fraction_digits = 0;  // greatest number of digits after the decimal point; if whole_digits is 0: any number
   std::uint8_t at_most = 1;          // greatest number of words with this address in a block; 0: any number
   bool code = false;                 // the number is that of a code (G and M), so leading zeros mean nothing
-  std::uint8_t code_digits = 0;      // number of digits of a code in the format; fewer digits give a warning; 0: any number
-  bool second_number = false;        // a second number may follow: `L2 15` (spec/correctors 1)
-  bool parameter = false;            // the value may have a formal parameter: `X+R1`, `Z-1200+R2` (spec/s2c42 3)
-  bool increment = false;            // the operator I, for an increment, is allowed before the number (nct 5.1)
-  bool one_more = false;  // an additional leading digit is allowed and means that the tool is in the spindle: T112 (spec/s2c42 6.4.4)
-  bool bare = false;      // the address is allowed without a number: `G17 X` (nct 10.4)
+  // number of digits with which G and M codes are to be written; a code with fewer digits gives a warning; 0: any number
+  std::uint8_t code_digits = 0;
+  bool second_number = false;  // a second number may follow: `L2 15` (spec/correctors 1)
+  bool parameter = false;      // the value may have a formal parameter: `X+R1`, `Z-1200+R2` (spec/s2c42 3)
+  bool increment = false;      // the operator I, for an increment, is allowed before the number (nct 5.1)
+  bool one_more = false;       // an additional leading digit is allowed and means that the tool is in the spindle: T112 (spec/s2c42 6.4.4)
+  bool bare = false;           // the address is allowed without a number: `G17 X` (nct 10.4)
 };
 
 enum class EndOfBlock : std::uint8_t {
@@ -112,7 +113,8 @@ struct Grammar {
   // ---- RS274/NGC as in LinuxCNC (spec/linuxcnc)
   bool o_words = false;           // O lines are allowed, such as O100 while […] (spec/linuxcnc 6)
   bool percent_encloses = false;  // a line with only `%` starts the program, the next one ends it (spec/linuxcnc 2.1)
-  // A computed code, such as G[10*0.1], may be off by 0.001; N may have a decimal point (spec/linuxcnc 2.2, 2.3).
+  // true: a computed code, such as G[10*0.1], may differ from the code's number by 0.001, and N may have a decimal point (spec/linuxcnc
+  // 2.2, 2.3)
   bool code_by_rounding = false;
   std::shared_ptr<VariableNames> named_variables;  // numbers of the names #<name>; nullptr if the control has no named variables
   bool filtered_lines = false;  // each line is read separately, without its blanks, `/` and control characters (spec/grbl 1.2)
@@ -143,6 +145,7 @@ struct Grammar {
   std::array<std::uint8_t, max_addresses> axis_numbers{};  // number of each axis address across all channels; 0: the address is not an axis
 
   // ---- features of custom macros that RS274/NGC expressions do not have
+
   /// Returns true if the control has statements such as IF, WHILE, GOTO, DPRNT. On such a control an assignment in a block without words is
   /// a statement too.
   bool has_statements() const { return custom_macros; }

@@ -34,7 +34,7 @@ class Lexer {
   Result<Lexed> run() {
     block_.text = cursor_.text;
     cursor_.skip_blanks();
-    const Status status = items();  // a Status is as large as an Alarm, so it is never assigned, only returned
+    const Status status = items();  // a Status is as large as an Alarm, so the functions of the lexer return it, but never assign it
     block_.where = span(begin_, cursor_.at);
     if (result_.needs_utf8 || result_.open_comment) return result_;
     if (!status) return fail(status.error());
@@ -116,7 +116,7 @@ class Lexer {
   Status item() {
     const char c = cursor_.text[cursor_.at];
     if (block_.statement.kind > StatementKind::words && !is_blank(c) && c != '(' && c != ';' && !block_.statement.words_follow)
-        [[unlikely]]  // this character follows the comment after a statement, and is not allowed
+        [[unlikely]]  // only blanks and comments may follow a statement
       return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
     if (is_capital(c)) return word(c, 1);
     if (is_blank(c)) {
@@ -139,7 +139,7 @@ class Lexer {
     }
     if (is_high(c) || c == '\x0e') return wide();
     if (is_lower(c) && grammar_.lower_case) return word(to_upper(c), 1);
-    for (const AddressName& name : grammar_.names)  // the loop finds names that start with a sign: `$`, `@`, `^`
+    for (const AddressName& name : grammar_.names)  // one of these names may be a sign: `$`, `@`, `^`
       if (name.text.size() == 1 && name.text[0] == c) return word_of(name.address, 1, cursor_.at);
     return words_.parameter_by_sign();
   }
@@ -188,7 +188,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
-    w.value = 0;  // the value 0 remains if the word cannot be read; code that continues after the fault may find this word
+    w.value = 0;  // if the word cannot be read, its value remains 0: a caller that continues after the fault may use this value
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
     KADR_TRY(words_.value(w, format, begin));
     w.where = span(begin, cursor_.at);
@@ -287,7 +287,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
-    w.value = 0;  // the value 0 remains if the word cannot be read; code that continues after the fault may find this word
+    w.value = 0;  // if the word cannot be read, its value remains 0: a caller that continues after the fault may use this value
     WordFormat format = grammar_.word('A');
     format.parameter = true;
     KADR_TRY(words_.value(w, format, begin));
@@ -309,7 +309,7 @@ class Lexer {
     const std::string_view rest = cursor_.text.substr(cursor_.at);
     if (grammar_.end_of_block != EndOfBlock::line_only && (rest.starts_with("ПС") || rest.starts_with("пс"))) return end_mark(4);
     if (grammar_.end_of_block != EndOfBlock::line_only && rest.starts_with("ПC")) return mark_with_latin_letter();
-    if (c.code == 0xA0 || c.code == 0xFEFF) {  // the character is a no-break space or a byte order mark
+    if (c.code == 0xA0 || c.code == 0xFEFF) {  // a no-break space or a byte order mark has no effect
       cursor_.at += c.bytes;
       return {};
     }
@@ -359,7 +359,7 @@ class Lexer {
   Status whole_block() {
     if (grammar_.block_length != 0 && !grammar_.filtered_lines && !block_.empty()) {
       if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high(cursor_.at)) {
-        result_.needs_utf8 = true;  // bytes above 127 must be decoded first, because they cannot be counted as characters
+        result_.needs_utf8 = true;  // bytes above 127 are decoded first, because only then the characters of the block can be counted
         return {};
       }
       const std::uint32_t length = characters_of(cursor_.text.substr(begin_, cursor_.at - begin_));

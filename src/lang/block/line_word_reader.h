@@ -48,7 +48,7 @@ class LineWordReader {
   Cursor& cursor_;
   const Grammar& grammar_;
   Block& block_;
-  std::string filtered_;              // the characters of the line that the filter keeps, in capitals
+  std::string filtered_;              // the characters of the line that Grbl's filter keeps, in capitals
   std::vector<std::uint32_t> place_;  // offset in the line of each character of filtered_
 };
 

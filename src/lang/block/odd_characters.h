@@ -14,7 +14,7 @@ inline Alarm unexpected_at(std::string_view text, std::size_t at) {
   const auto c = static_cast<unsigned char>(text[at]);
   const Span where{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(std::min(at + 1, text.size()))};
   if (c < 0x20) return alarm(AlarmId::control_character, where, double(c));
-  if (c == '.') return alarm(AlarmId::number_damaged, where);  // the character is a second decimal point in a number
+  if (c == '.') return alarm(AlarmId::number_damaged, where);  // a point outside a word is the second decimal point of a number
   return alarm(AlarmId::unexpected_character, where, text[at]);
 }
 

@@ -31,9 +31,10 @@ struct PlainBlocks::Digits {
 };
 
 PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
-  // Numbers of digits: whole numbers with 15 are exact in a double, with 9 in 32 bits.
+  // Greatest numbers of digits: a whole number of 15 digits is exact in a double, and one of 9 digits is exact in 32 bits.
   constexpr std::size_t exact_digits = 15, number_digits = 9;
-  // Grbl uses at most this number of digits, and no number with so few digits is too large (spec/grbl 1.3).
+  // Greatest numbers of digits for Grbl, which uses only the first eight digits of a number; seven digits never make a block number too
+  // large (spec/grbl 1.3).
   constexpr std::size_t lone_digits = 8, lone_number_digits = 7;
   most_digits_ = grammar.filtered_lines ? lone_digits : exact_digits;
   most_number_digits_ = grammar.filtered_lines ? lone_number_digits : number_digits;
@@ -47,7 +48,8 @@ PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
       if (name.text.front() == letter && looks_like_words(name)) kind = Kind::other;
     kinds_[static_cast<unsigned char>(letter)] = kind;
     if (grammar.lower_case) kinds_[static_cast<unsigned char>(letter | 0x20)] = kind;
-    // If any number of digits is allowed and all digits are used, the address needs no check by check_digits of lang/block/word_reader.
+    // An address is easy if its format allows any number of digits and has no further rules; then check_digits (lang/block/word_reader) has
+    // nothing to check.
     easy_[static_cast<std::size_t>(letter - 'A')] =
         !format.code && format.whole_digits == 0 && !format.implied && !format.second_number && format.counted == 0;
   }
@@ -144,7 +146,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
     if (!digits.has_point) decimals += w.counted = format.counted;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
   }
-  // Dividend and divisor are exact, so the quotient is correctly rounded.
+  // The quotient is correctly rounded, because the digits as a whole number and the power of ten are exact.
   const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];
   w.value = sign == '-' ? -value : value;
   w.where = {static_cast<std::uint32_t>(begin - block.text.data()), static_cast<std::uint32_t>(at - block.text.data())};

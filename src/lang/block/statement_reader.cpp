@@ -63,7 +63,7 @@ Status StatementReader::read(Keyword keyword) {
     case Keyword::goto_: return jump(begin);
     case Keyword::print_binary:
     case Keyword::print_decimal: return print(keyword, begin);
-    // PRM is allowed only on the right of = (nct 24.2).
+    // A machine parameter (PRM) is allowed only on the right of = (nct 24.2).
     case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));
     case Keyword::names: return variable_names(begin);
     case Keyword::then_: return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), "THEN"));

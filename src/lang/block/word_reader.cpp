@@ -67,7 +67,8 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   auto expression = grammar_.sums_without_brackets() ? compile_macro_value(cursor_, grammar_, block_, MacroValue::operand)
                                                      : compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());
-  if (grammar_.rounds_in_address && format.counted != 0)  // ROUND in a word's value rounds to the increment (spec/haas 2.2)
+  // The function ROUND in the value of a word rounds to the least increment (spec/haas 2.2).
+  if (grammar_.rounds_in_address && format.counted != 0)
     for (std::size_t i = expression->begin; i < expression->end; ++i)
       if (block_.code[i].op == Op::round) block_.code[i].op = Op::round_increment;
   if (sign == '-') {
@@ -110,7 +111,7 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
     const std::size_t end = cursor_.at;
     cursor_.skip_blanks();
     const char c = cursor_.peek();
-    // The digits are not scaled, because the parameter is not scaled either.
+    // The number before a formal parameter is not scaled, because the value of the parameter is not scaled either.
     const double constant = format.implied ? read.mantissa : read.value;
     if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -constant : constant, c, begin);
     cursor_.at = end;  // blanks after the word are not part of the word

@@ -51,7 +51,7 @@ class WordReader {
   /// Returns true if the text at the cursor cannot be the start of a value.
   bool no_value_follows() const;
 
-  /// Returns true if the literal `mark` at `at` ends the block.
+  /// Returns true if the text `mark` (ПС or LF) at the offset `at` ends the block.
   bool marks_end(std::string_view mark, std::size_t at) const;
 
  private:

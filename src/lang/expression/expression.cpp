@@ -85,7 +85,8 @@ bool read_number(Cursor& cursor, Number& number) {
   number.fraction_digits = static_cast<std::uint8_t>(std::min<std::size_t>(fraction, 255));
   if (whole + fraction <= exact_digits) [[likely]] {
     number.mantissa = static_cast<double>(mantissa);
-    number.value = number.mantissa / powers_of_ten[fraction];  // mantissa and power of ten are exact, so the quotient is correctly rounded
+    // the quotient is correctly rounded, because the digits as a whole number and the power of ten are exact
+    number.value = number.mantissa / powers_of_ten[fraction];
     return true;
   }
   return read_long_number({first, p}, number);

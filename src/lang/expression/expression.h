@@ -33,11 +33,11 @@ Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& 
 /// Compiles the number or name of the variable between `#` and `=` of an assignment. The alarms are those of compile_value.
 Result<Expression> compile_target(Cursor& cursor, const Grammar& grammar, Block& block);
 
-/// The part of the text at the cursor that belongs to the value.
+/// The form of a value in a custom macro, which decides how much of the text at the cursor belongs to the value.
 enum class MacroValue : std::uint8_t {
-  operand,   // the value of a word, after its address: a number, #n, #[…], #_NAME, […], a function of the next operand
+  operand,   // a value after the address of a word: a number, #n, #[…], #_NAME, […], or a function with its operand
   sum,       // a whole expression
-  assigned,  // a whole expression after `#n=`; only this form may contain PRM (nct 24.2)
+  assigned,  // a whole expression after `#n=`; only in this form is a machine parameter (PRM) allowed (nct 24.2)
 };
 /// Compiles a value as compile_value() does, but in the language of custom macros (nct 23). Warns of ATAN[a]/[b], which other controls read
 /// differently.

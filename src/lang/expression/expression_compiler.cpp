@@ -59,7 +59,7 @@ class Compiler : public StepWriter {
     return cursor_.peek() == '[' ? bracket() : of_numbers([this] { return number_here(); });
   }
 
-  /// Adds a check that the number that the steps from `first` on compute is not the number of a named variable.
+  /// Adds a step that checks that the variable number, computed by the steps from `first` on, is not that of a named variable.
   Status own_number(std::size_t begin, std::size_t first) {
     if (grammar_.named_variables == nullptr && grammar_.given_names == nullptr) return {};
     const bool is_small =
@@ -120,7 +120,7 @@ class Compiler : public StepWriter {
     const ExpressionRow* const found = row_here(grammar_.expression.relations, length);
     if (found == nullptr) {
       const bool holds_one = grammar_.conditions_are_values || is_condition_;
-      // The condition was a comparison that is written with an operator, so no relation has to follow.
+      // The expression read before is a comparison that is written with an operator, so the condition is complete.
       if (cursor_.peek() == ']' && holds_one && grammar_.expression.operators.compare()) return {};
       if (cursor_.peek() == '=') return fail(alarm(AlarmId::terminator_wrong, span(begin, begin + 1), '='));
       return wrong(begin);
@@ -239,7 +239,7 @@ class Compiler : public StepWriter {
   Status function_of_bracket(const ExpressionRow& row, std::size_t begin) {
     KADR_TRY(bracket());
     if (row.operand == Operand::bracket) return step(row.op, 0, begin, 0);
-    const auto other_missing = [&] {  // reports that in ATAN[y]/[x] the second bracket is missing
+    const auto other_missing = [&] {  // the alarm for ATAN[y]/[x] without the second bracket
       return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), std::string_view(row.text + "[ ]/[ ]")));
     };
     cursor_.skip_blanks();
@@ -262,10 +262,10 @@ class Compiler : public StepWriter {
     if (ahead.peek() == '[') block_.warnings.push_back(warning(AlarmId::arctangent_divides, span(begin, ahead.at)));
   }
 
-  /// Compiles PRM[n] and PRM[n,bit], each also with /[index] (nct 24.2). An omitted bit or index becomes a vacant value.
+  /// Compiles a machine parameter: PRM[n], PRM[n,bit], each also with /[index] (nct 24.2). An omitted bit or index becomes a vacant value.
   Status control_value(std::size_t begin) {
     cursor_.at = begin + 3;
-    // PRM is allowed only in an assignment (nct 24.2).
+    // A machine parameter (PRM) is allowed only in an assignment (nct 24.2).
     if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));
     cursor_.skip_blanks();
     if (cursor_.peek() != '[') return wrong(cursor_.at);

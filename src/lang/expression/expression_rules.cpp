@@ -15,7 +15,7 @@ bool begins_with(std::string_view text, std::string_view word) {
          std::equal(word.begin(), word.end(), text.begin(), [](char wanted, char written) { return wanted == to_upper(written); });
 }
 
-/// Returns how many letters are the same at the beginning of the text and of the word.
+/// Returns the number of letters that are the same at the beginning of the text and of the word.
 std::size_t alike(std::string_view text, std::string_view word) {
   std::size_t i = 0;
   while (i < text.size() && i < word.size() && to_upper(text[i]) == word[i]) ++i;

@@ -23,7 +23,8 @@ struct ExpressionRow {
   Op op = Op::number;
   std::uint8_t binding = 0;            // priority of an operator; 0: the control does not have the operator, but an alarm can name it
   Operand operand = Operand::bracket;  // form in which the operand of a function is written
-  Op of_two = Op::number;  // operation of ATAN[a]/[b] if ATAN[a] alone is also a function; Op::number: there is no such operation
+  // for ATAN, of which both ATAN[a] and ATAN[a]/[b] are functions: operation of ATAN[a]/[b]; Op::number: any other function
+  Op of_two = Op::number;
 };
 
 /// Operators or functions, found by their text. If one text is the beginning of another, the longer text is found.
@@ -32,7 +33,7 @@ class ExpressionRows {
   static constexpr std::size_t most = 64;
   void add(ExpressionRow row);
   bool has(std::string_view text) const;
-  /// Replaces one operation by another in all rows.
+  /// Makes every operator or function of the rows that has the operation `operation` use the operation `by` instead.
   void replace(Op operation, Op by) {
     for (ExpressionRow& row : rows_) {
       if (row.op == operation) row.op = by;
@@ -49,8 +50,10 @@ class ExpressionRows {
   const ExpressionRow* find_short(std::string_view text, std::size_t& length) const;
 
  private:
-  std::vector<ExpressionRow> rows_;  // rows sorted by first character; among rows with the same first character, longer texts come first
-  std::array<std::uint8_t, 128> first_{};  // by character: index plus 1 of the first row that starts with the character; 0: no row
+  // the operators or functions, sorted by first character; with the same first character, longer texts come first
+  std::vector<ExpressionRow> rows_;
+  // by character: 1 plus the index in rows_ of the first operator or function that starts with the character; 0: none
+  std::array<std::uint8_t, 128> first_{};
 };
 
 struct ExpressionRules {

@@ -10,7 +10,8 @@ namespace kadr {
 enum class Op : std::uint8_t {
   number,
   variable,
-  // Pushes the value of a formal parameter; `variable` replaces a number on top of the stack by the value of the variable with this number.
+  // `variable` replaces a number on top of the stack by the value of the variable with this number; `parameter` pushes the value of a
+  // formal parameter.
   parameter,
   add,
   subtract,
@@ -69,12 +70,12 @@ enum class Op : std::uint8_t {
   logarithm,
   arc_sine_turn,  // ASIN with results from 270 to 90 degrees (spec/fanuc 5.3)
   atan_turn,      // ATAN[a]/[b] with results from 0 to 360 degrees (spec/fanuc 5.3)
-  to_bcd,         // converts 25 to 37, because each decimal digit becomes a group of four bits; `from_bcd` converts back
+  to_bcd,         // converts the decimal number 25 to 37 (0x25): each decimal digit becomes a group of four bits; `from_bcd` converts back
   from_bcd,
   keep_negate,   // negates the value of a word; a vacant value remains vacant
   variable_at,   // pushes the value of the variable with the number Instruction::number
   element,       // replaces the index on top of the stack by the number of the variable with this index; Instruction::number is the symbol
-  control_value  // PRM: replaces the number, bit and index on top of the stack by the value of the parameter
+  control_value  // replaces the number, bit and index of a machine parameter (PRM) on top of the stack by the value of the parameter
 };
 
 /// Returns the operation of an operator, function or relation by its name in control files ("add", "sine").

@@ -124,7 +124,8 @@ class StepWriter {
     return found;
   }
 
-  /// Returns true if `/[` follows the operand, which is a bracket […]. Then the cursor is moved to the second bracket.
+  /// Returns true if the operand is a bracket […], and `/[` follows the operand, as in ATAN[a]/[b]. Then the cursor is moved to the second
+  /// bracket.
   bool divides_bracket(std::size_t operand) {
     if (cursor_.text[operand] != '[') return false;
     Cursor ahead = cursor_;

@@ -36,7 +36,7 @@ struct Screw {
   std::array<int, 3> threads;
 };
 constexpr std::array<Screw, 10> screws = {{
-    // columns: number, inches, threads per inch of UNC, UNF, UNEF (ASME B1.1)
+    // the columns are the number of the screw, its diameter in inches, and its threads per inch of UNC, UNF, UNEF (ASME B1.1)
     {0, 0.060, {0, 80, 0}},
     {1, 0.073, {64, 72, 0}},
     {2, 0.086, {56, 64, 0}},

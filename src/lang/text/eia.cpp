@@ -54,7 +54,7 @@ constexpr std::array<std::pair<std::uint8_t, char>, 52> codes = {{
     {0x3B, ','},
     {0x31, '/'},
     {0x70, '+'},
-    // 0x0B is the code for the end of record.
+    // In the standard, the code 0x0B, which becomes %, is the code for the end of record.
     {0x40, '-'},
     {0x0E, '&'},
     {0x10, ' '},
@@ -62,15 +62,15 @@ constexpr std::array<std::pair<std::uint8_t, char>, 52> codes = {{
     {0x80, '\n'},
     {0x0B, '%'},
     {0x1A, '('},
-    {0x4A, ')'},  // names in the standard: control out, control in
-    // Names in the standard: delete, back space, upper case, lower case.
+    {0x4A, ')'},  // the standard names the codes of the two brackets control out and control in
+    // Rows without a character. In the standard, their names are delete, back space, upper case, lower case.
     {0x7F, nothing},
     {0x2A, nothing},
     {0x7C, nothing},
     {0x7A, nothing},
 }};
 
-constexpr std::uint8_t no_row = 0xFF;  // a row with even parity, so it is not the code of a character
+constexpr std::uint8_t no_row = 0xFF;  // entry of a character without an EIA code: a row with even parity, which is never a code
 
 }  // namespace
 

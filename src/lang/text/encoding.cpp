@@ -28,7 +28,8 @@ using HighHalf = std::array<Utf8, 128>;
 HighHalf load_high_half(const char* iconv_name) {
   HighHalf half;
   const iconv_t converter = iconv_open("UTF-8", iconv_name);
-  if (converter == reinterpret_cast<iconv_t>(-1)) return half;  // without a converter all bytes above 127 have no meaning
+  // if iconv does not have the encoding, all bytes above 127 count as bytes without a meaning
+  if (converter == reinterpret_cast<iconv_t>(-1)) return half;
   for (std::size_t i = 0; i < half.size(); ++i) {
     char byte = static_cast<char>(128 + i);
     char* from = &byte;
@@ -210,7 +211,7 @@ Character first_character(std::string_view text) {
     if ((next & 0xC0) != 0x80) return {};
     code = code << 6 | (next & 0x3Fu);
   }
-  // Least code by length in bytes; a smaller code in so many bytes is invalid.
+  // By length of a UTF-8 character in bytes: the least character code. A smaller code is invalid, since it has a shorter form.
   constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   if (code < smallest[size] || code > 0x10FFFF || surrogate) return {};

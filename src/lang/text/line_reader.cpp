@@ -24,7 +24,7 @@ constexpr std::size_t window_bytes = 256 * 1024;
 /// The number of bytes in which the end of a line is searched. CRs before the end do not count, so a line may have more bytes than its
 /// permitted length.
 constexpr std::size_t searched_bytes = 2 * limits::line_bytes;
-// Number of bytes read after a jump; small, because a subprogram is short, and doubled with each further read.
+// Number of bytes that are read first after a jump. The number is small, because a subprogram is short; it doubles with each further read.
 constexpr std::size_t first_read = 16 * 1024;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 static_assert(searched_bytes < window_bytes);
@@ -157,7 +157,7 @@ std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess*
     OpenedSource text = Pipes::keep(path, read_whole(file, is_device ? limits::device_bytes : limits::piped_bytes));
     return text ? shared_source(std::move(text)) : nullptr;
   }
-  // The call only advises the system about the access, so its result has no effect here.
+  // The result of posix_fadvise is ignored, because the call only advises the system about the access to the file.
   posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
 }
@@ -253,7 +253,7 @@ bool LineReader::next(Line& line) {
   const std::size_t raw = end != none ? end : std::min(filled_ - position_, searched_bytes);
   const std::string_view bytes(window_.data() + position_, raw);
   line = {without_crs(bytes), offset(), line_++, true, false};
-  if (raw == searched_bytes) {  // the searched bytes contain no end of line, so the line is too long
+  if (raw == searched_bytes) {  // the line is longer than permitted, because its end is not within the searched bytes
     long_line_.assign(bytes, 0, limits::line_bytes);
     line.bytes = long_line_;
     line.too_long = true;

@@ -33,7 +33,7 @@ class ByteSource {
 
 /// Opens a file. Returns nullptr if the file cannot be read; errno then has the reason. Input that cannot be read twice (a pipe, a device;
 /// "-" is the standard input) is stored in a TextSpool, up to limits::piped_bytes or limits::device_bytes. If the input is longer, errno is
-/// EMSGSIZE. `door`: if given, it opens the file, and only a regular file can be opened.
+/// EMSGSIZE. If `door` is given, `door` opens the file, and only a regular file is accepted.
 std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess* door = nullptr);
 std::unique_ptr<ByteSource> text_source(std::string text);
 /// Returns a source for a text in memory that also has other owners.
@@ -68,7 +68,7 @@ class LineReader {
   std::shared_ptr<ByteSource> source_;  // source of the bytes, shared with readers of other parts of the file
   std::string window_;
   std::string sample_;
-  std::string long_line_;            // start of a line that is longer than permitted
+  std::string long_line_;            // the bytes at the start of a line that is longer than permitted
   std::uint64_t window_offset_ = 0;  // offset of window_[0] in the file
   std::size_t position_ = 0;         // offset in the window of the byte to read next
   std::size_t filled_ = 0;

@@ -81,7 +81,7 @@ class Contents {
       in_ = In::section;
       return;
     }
-    // This control needs no % before a program, so the first block starts one.
+    // On a control that needs no % before a program, the first block starts the program.
     if (in_ == In::nothing && !block.empty() && may_begin_ && contents_.programs.empty()) begin_program(at, 0);
     if (in_ == In::program && block.word_count > 0) has_words_.back() = true;
     if (in_ == In::section) subprogram_block(block);
@@ -123,10 +123,10 @@ class Contents {
   BlockReader reader_;
   const bool sections_, labels_, may_begin_;
   TapeContents contents_;
-  std::vector<bool> has_words_;  // for each program: true if it has a block with words
+  std::vector<bool> has_words_;  // by program: true if the program has a block with words
   In in_ = In::nothing;
-  bool open_ = false;         // the end of the subprogram being read has not been reached yet
-  bool after_start_ = false;  // the block processed last was the one with the sign %
+  bool open_ = false;         // true: the end of the present subprogram has not been reached yet
+  bool after_start_ = false;  // true: the block processed last had the sign %
 };
 
 }  // namespace

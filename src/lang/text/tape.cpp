@@ -80,7 +80,7 @@ bool remove_mark(std::string_view& line) {
     if (!rest.ends_with(mark)) continue;
     rest.remove_suffix(mark.size());
     const auto before = static_cast<unsigned char>(rest.empty() ? ' ' : rest.back());
-    // Before the mark there is a letter, or the last byte of a non-ASCII letter, so the mark is part of a word.
+    // A ПС or LF after a letter, or after the last byte of a non-ASCII letter, is a part of a word and not the end of a block.
     if (before >= 'A' && before != '_') return false;
     trim_right(rest);
     line = rest;

@@ -61,7 +61,8 @@ class SpoolFile {
 
 namespace {
 
-constexpr std::size_t spilled_at_once = 256 * 1024;  // least number of bytes in memory that are written together if a file exists
+// number of bytes that are collected in memory before they are written to the temporary file together
+constexpr std::size_t spilled_at_once = 256 * 1024;
 constexpr std::size_t piece_bytes = 256 * 1024;
 
 /// Reads first the part of the text that is in the file, then the part that is in memory.

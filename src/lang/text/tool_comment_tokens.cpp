@@ -131,7 +131,7 @@ class Tokens {
       at_ = digits_from(point + 1);
       token.decimals = static_cast<std::uint8_t>(std::min<std::size_t>(at_ - point - 1, 255));
     }
-    // 1.2.3 is not a number.
+    // A text with two points, such as 1.2.3, is not a number.
     while (is_point && at(at_) == '.' && is_digit(at(at_ + 1))) token.is_broken = true, at_ = digits_from(at_ + 1);
     token.text = text_.substr(from, at_ - from);
     std::string digits = token.text;

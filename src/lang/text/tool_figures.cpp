@@ -49,7 +49,7 @@ class FigureMarker {
 
  private:
   std::size_t count() const { return all_.size(); }
-  // Also false for the index before the first piece, because that index wraps around.
+  // Returns true if the index is that of a piece; the index before the first piece wraps around, so it is too large.
   bool has(std::size_t i) const { return i < all_.size(); }
   bool is_figure(std::size_t i) const { return has(i) && all_[i].is_figure(); }
   bool is_open(std::size_t i) const { return has(i) && all_[i].is_open(); }
@@ -149,7 +149,7 @@ bool FigureMarker::is_part_of_name(std::size_t i) const {
       f.unit == 0)
     return true;
   if (!joined(i + 1) || !all_[i + 1].is_word() || f.unit != 0) return false;
-  const bool tolerance = all_[i + 1].text == "H" || all_[i + 1].text == "Н";  // in 10H7 the H7 is a tolerance
+  const bool tolerance = all_[i + 1].text == "H" || all_[i + 1].text == "Н";  // in the comment 10H7, H7 is a tolerance
   return !tolerance && !means(i + 1, called | describes | of_tool) &&
          !(is_letter(all_[i + 1]) && (all_[i + 1].text == "F" || all_[i + 1].text == "Z"));
 }
@@ -167,9 +167,9 @@ void FigureMarker::mark_tool_numbers() {
     const bool in_name = joined(i) && i > 0 && !all_[i - 1].is_sign('|') && !all_[i - 1].is_sign('(') && !all_[i - 1].is_sign(',');
     std::size_t at = index_after(i, is_t ? "" : "-#:=.");
     if (!is_t && means(at, number)) at = index_after(at, ".#");
-    // DEFAULT TOOL001 is a name, so 001 is not a tool number.
+    // In the comment DEFAULT TOOL001, 001 is a part of a name, not a tool number.
     const bool zeros = !is_t && joined(at) && at == i + 1 && all_[at].text.starts_with("00");
-    const bool is_turned = means(at + 1, degrees);  // in ENGRAVING TOOL 30 DEGREE the 30 is an angle
+    const bool is_turned = means(at + 1, degrees);  // in the comment ENGRAVING TOOL 30 DEGREE, 30 is an angle
     const bool is_number = !zeros && !is_turned && is_open(at) && !all_[at].has_point && !all_[at].is_fraction && all_[at].unit == 0 &&
                            all_[at].text.size() <= longest_number;
     if (!in_name && is_number) all_[at].figure = FigureIs::tool;
@@ -187,11 +187,11 @@ void FigureMarker::mark_next_to_words() {
         means_diameter | means_corner | tool_number | tool | letter | number | is_numbered | times | other_after | degrees;
     const bool is_address = is_letter(word) && !word.meaning.is(known) && word.text != "M" && word.text != "М" && word.text != "F";
     const std::size_t at = index_after(i, is_address ? "=-" : "-");
-    // The letter is the address of a word, as in S2000, Z-.5, H7.
+    // In the comments S2000, Z-.5, H7 the letter is the address of a word, so the number is not a size.
     if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;
     const bool is_f = word.text == "F" && i > 0 && !means(i - 1, tool);  // F gives a feed, but in SVERLO F8.5 a diameter
     if (is_f && is_open(i + 1) && joined(i + 1)) all_[i + 1].figure = FigureIs::other;
-    // In 3F and 2Z the number is a number of flutes.
+    // In the comments 3F and 2Z the number is a count of flutes.
     const bool counts = (word.text == "F" || word.text == "Z") && word.joined && i > 0 && is_open(i - 1);
     if (counts) all_[i - 1].figure = FigureIs::other;
     if (is_sign(i + 1, '=') && !word.meaning.is(known))  // after an unknown word, as in L=75 and ID=7, the number is not a size
@@ -207,7 +207,7 @@ bool FigureMarker::is_called(std::size_t figure) const {
 }
 
 void FigureMarker::mark_by_word(std::size_t word) {
-  // Index of the number before the word, also across a hyphen: 2-FLUTE.
+  // Index of the number that is before the word, with or without a hyphen between them, as in 2-FLUTE.
   const std::size_t before = is_sign(word - 1, '-') && joined(word) && joined(word - 1) ? word - 2 : word - 1;
   const std::size_t at = index_after(word, ".:=-#");
   const bool is_equal = is_sign(word + 1, '=') && is_open(at);
@@ -217,7 +217,7 @@ void FigureMarker::mark_by_word(std::size_t word) {
   }
   if (!is_open(at)) return;
   const bool whole = !all_[at].has_point && !all_[at].is_fraction;
-  const bool divided = is_sign(word + 1, ':');  // in OPERATION: 1.5MM ENDMILL the colon separates the number from the word
+  const bool divided = is_sign(word + 1, ':');  // in the comment OPERATION: 1.5MM ENDMILL the colon separates both
   const bool is_number = all_[at].unit == 0 && (whole || !divided);
   if (means(word, other_after) || (means(word, is_numbered) && is_number)) all_[at].figure = FigureIs::other;
 }
@@ -241,7 +241,7 @@ void FigureMarker::mark_threads() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!is_open(i)) continue;
     const bool is_metric = joined(i) && i > 0 && (all_[i - 1].text == "M" || all_[i - 1].text == "М") && all_[i].unit == 0;
-    const bool is_counted = i > 1 && means(i - 2, times) && i > 2 && is_figure(i - 3);  // in 4 X M6 the 4 is a count
+    const bool is_counted = i > 1 && means(i - 2, times) && i > 2 && is_figure(i - 3);  // in the comment 4 X M6, 4 is a count
     if (is_metric) all_[i].figure = is_counted ? FigureIs::other : FigureIs::metric;
     else mark_inch_thread(i);
   }
@@ -251,8 +251,8 @@ void FigureMarker::mark_inch_thread(std::size_t size) {
   const bool hyphen = is_sign(size + 1, '-') && joined(size + 1) && joined(size + 2);
   const bool ends = !is_sign(size + 3, '-') || !joined(size + 3);
   if (!hyphen || !is_open(size + 2) || !ends || all_[size].unit == 1 || all_[size + 2].unit != 0) return;
-  if (is_sign(size - 1, '-') && joined(size)) return;  // 3-10-32 is not a thread, so it is not marked
-  // In 4.00-0.7 the size is not in inches.
+  if (is_sign(size - 1, '-') && joined(size)) return;  // in the comment 3-10-32 no number is marked as a thread
+  // In the comment 4.00-0.7 the size is not in inches.
   const bool is_inches = all_[size].is_fraction || all_[size].leads_point || !all_[size].has_point;
   if (!is_inches || all_[size + 2].is_fraction || all_[size + 2].leads_point) return;
   all_[size].figure = FigureIs::inch_thread;
@@ -290,7 +290,7 @@ std::size_t FigureMarker::figure_called_by(std::size_t word) const {
   const std::size_t at = index_after(word, is_single ? "=:." : "=:.-");
   const bool by_sign = is_open(at) && (is_sign(at - 1, '=') || is_sign(at - 1, ':') || is_sign(at - 1, '-') || joined(at));
   const bool before_is_free = word > 0 && is_open(word - 1) && !is_single;
-  // In 1" IN DIAMETER the IN is a preposition, not a unit.
+  // In the comment 1" IN DIAMETER the word IN is a preposition, not a unit.
   const bool in_diameter = word > 1 && all_[word - 1].text == "IN" && is_open(word - 2);
   if (by_sign || (is_open(at) && !before_is_free)) return at;
   return before_is_free ? word - 1 : in_diameter ? word - 2 : count();
@@ -349,7 +349,7 @@ void FigureMarker::mark_numbers_of_drills() {
     const std::size_t at = index_after(i, ".#");
     if (!is_open(at)) continue;
     const bool is_plain = !all_[at].has_point && !all_[at].is_fraction && all_[at].unit == 0 && !is_sign(at + 1, ':');
-    const bool is_of_part = i > 0 && means(i - 1, of_part | is_numbered);  // in PART NO. 7 the 7 is not the number of a drill
+    const bool is_of_part = i > 0 && means(i - 1, of_part | is_numbered);  // in the comment PART NO. 7, 7 is not a drill number
     all_[at].figure = is_plain && !is_of_part ? FigureIs::drill_number : FigureIs::other;
   }
 }

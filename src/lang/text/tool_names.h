@@ -13,7 +13,7 @@ struct ToolName {
   std::size_t first = 0, last = 0;  // indices of the first and last piece of the name
   ToolWord kind = ToolWord::none;
   bool is_tap_drill = false;
-  // The name has the WordHints with these names (see tool_words.h).
+  // Properties of the word that names the tool; the WordHints with the same names explain them (see tool_words.h).
   bool size_after = false, work_too = false, no_bare_size = false, only_called = false;
 };
 

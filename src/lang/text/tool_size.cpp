@@ -24,10 +24,10 @@ constexpr double max_drill_mm = 80;  // greatest size of a drill, mm
 constexpr double least_whole_mm = 3;
 constexpr double most_of_any = 400;     // greatest size of any tool, mm, even for a number with a unit
 constexpr double least_chamfer_mm = 3;  // least size of a chamfer mill, mm; a smaller number is the size of the chamfer
-// Greatest difference of two sizes of one tool, such as 27/64 and .422: as a fraction of the size, and in mm.
+// Greatest difference, as a fraction of the size and in mm, at which two sizes in one comment count as the same size, as 27/64 and .422.
 constexpr double alike_part = 0.01, alike_mm = 0.05;
-// The greatest difference of D10 and the size in the name, as a fraction of the size. If the difference is greater, D10 is an offset
-// number.
+// Greatest difference, as a fraction of the size, between 10 in D10 and the size in the tool's name. If the difference is greater, 10 is an
+// offset number.
 constexpr double roughly_part = 0.1;
 constexpr std::size_t max_strangers = 2;  // greatest number of unknown words between a size and the tool: 2" MITSUBISHI FACE MILL
 
@@ -122,7 +122,7 @@ bool ToolSize::is_offset(std::size_t i) const {
   const auto tool = std::find_if(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.figure == FigureIs::tool; });
   bool has_h = false;
   for (std::size_t at = 1; at < pieces_.size(); ++at) {
-    const bool is_fit = at == i + 2 && kind_ == ToolWord::reamer;  // in D10 H7 the H7 is the tolerance of a reamer
+    const bool is_fit = at == i + 2 && kind_ == ToolWord::reamer;  // in the comment D10 H7, H7 is the tolerance of a reamer
     if (!pieces_[at].is_figure() || pieces_[at - 1].text != "H" || is_fit) continue;
     has_h = true;
     const bool of_tool_alone = tool != pieces_.end() && pieces_[at].value == tool->value && pieces_[at].value != d.value;
@@ -147,13 +147,13 @@ bool ToolSize::is_of_part(std::size_t figure) const {
 /// Returns false for comments that are not about a tool, such as (.500 DIAMETER), (STOCK D50).
 bool ToolSize::speaks_of_tool(std::size_t figure) const {
   if (!names_.all().empty() || names_.any(of_tool)) return true;
-  // A list of a tool library, such as 25 = name d=10.
+  // true: the comment is a row of a tool library, such as 25 = name d=10
   const bool listed = pieces_.size() > 1 && pieces_[0].is_figure() && pieces_[1].is_sign('=');
   const auto names_tool = [](const CommentPiece& p) { return p.meaning.is(tool_number) && p.text.size() > 2; };
   std::size_t word = figure;
   while (word > 0 && !pieces_[word].is_word()) --word;
   const bool is_d = pieces_[word].text == "D" || pieces_[word].text == "Д";
-  // For (D1 - TOOL IN SPINDLE) only the part before the number is searched.
+  // In the comment (D1 - TOOL IN SPINDLE), only the part before the number is searched for the name of a tool.
   const auto end = is_d ? pieces_.begin() + static_cast<std::ptrdiff_t>(figure) : pieces_.end();
   const bool is_stated = std::any_of(pieces_.begin(), end, names_tool) && !names_.any(of_part);
   const bool next_to_number = is_d && std::any_of(pieces_.begin(), end, [](const CommentPiece& p) { return p.figure == FigureIs::tool; });
@@ -189,7 +189,7 @@ std::optional<std::size_t> ToolSize::before(const ToolName& name) const {
       const bool is_name = p.meaning.is(tool);
       if (p.meaning.is(ends_phrase | of_part | another) || is_name) return std::nullopt;
       const bool is_fit =
-          // In 8H7 the H7 is a tolerance.
+          // In the comment 8H7, H7 is a tolerance.
           p.joined && pieces_[i - 1].is_figure() && has(i + 1) && pieces_[i + 1].joined && pieces_[i + 1].is_figure();
       if (!goes_on && !is_fit && ++strangers > max_strangers) return std::nullopt;
     } else if (std::string_view("-\"*#.]})'").find(p.text[0]) == std::string_view::npos) {
@@ -203,17 +203,17 @@ bool ToolSize::fits_before(std::size_t at, const ToolName& name, bool strangers)
   const CommentPiece& f = pieces_[at];
   if (name.only_called || is_of_part(at) || !is_likely(f)) return false;
   if (name.no_bare_size && !is_measured(f)) return false;
-  // In 1/4 TAP DRILL the number is the size of the tap.
+  // In the comment 1/4 TAP DRILL the number is the size of the tap.
   if (name.is_tap_drill && (f.is_fraction || (is_whole(f) && f.unit == 0))) return false;
   const bool of_two =
       means(at - 1, joins) || means(at + 1, joins) || (at > 1 && pieces_[at - 1].is_sign('/') && is(at - 2, FigureIs::open));
-  if (of_two) return false;  // 3/8 OR 1/2 are the sizes of two tools
+  if (of_two) return false;  // the comment 3/8 OR 1/2 gives the sizes of two tools
   const CommentPiece* const second = has(at + 2) && means(at + 1, times) && pieces_[at + 2].is_figure() ? &pieces_[at + 2] : nullptr;
   if (name.kind == ToolWord::chamfer && (mm(f) < least_chamfer_mm || (second != nullptr && second->value == 45))) return false;
-  if (second != nullptr && is_disc_ && mm(*second) >= mm(f)) return false;  // the larger of the two sizes is the diameter
+  if (second != nullptr && is_disc_ && mm(*second) >= mm(f)) return false;  // the larger size of a slot mill or key cutter is its diameter
   if (is_measured(f) || !is_whole(f)) return true;
   const bool angle = is_usual_angle(f.value) && (name.kind == ToolWord::drill || name.kind == ToolWord::chamfer);
-  // In 3 - ENDMILL the 3 is a number in a list.
+  // In the comment 3 - ENDMILL, 3 is a number in a list.
   const bool listed = has(at + 1) && (pieces_[at + 1].is_sign('-') || pieces_[at + 1].is_sign('.'));
   const bool after_stranger = at > 0 && pieces_[at - 1].is_word() && pieces_[at - 1].meaning.means == no_meaning;
   return !angle && !listed && !strangers && !after_stranger && name.kind != ToolWord::tap;
@@ -307,16 +307,17 @@ std::optional<std::size_t> ToolSize::figure_after(const ToolName& name) const {
 bool ToolSize::fits_after(std::size_t at, const ToolName& name, bool divided) const {
   const CommentPiece& f = pieces_[at];
   const bool takes = name.size_after || name.work_too || name.kind == ToolWord::tap;
-  // MILL .5 OFF describes an operation, not a tool.
+  // The comment MILL .5 OFF describes an operation, not a tool.
   const bool is_work = name.kind == ToolWord::chamfer || (name.kind == ToolWord::mill && !name.size_after);
   if (!takes || is_work || name.only_called || is_of_part(at) || !is_likely(f) || means(at + 1, joins)) return false;
   if (name.kind == ToolWord::tap) return is_measured(f);
   if (is_measured(f)) return true;
   if (name.no_bare_size) return false;
   const bool bare_whole = is_whole(f);
-  // DRILL 4 CORNERS describes an operation, not a tool.
+  // The comment DRILL 4 CORNERS describes an operation, not a tool.
   const bool goes_on = has(at + 1) && pieces_[at + 1].is_word() && pieces_[at + 1].meaning.means == no_meaning;
-  const bool of_number = is(name.first - 1, FigureIs::tool) && !goes_on;  // in T3 DRILL 10 the 10 is not the number of an operation
+  // in the comment T3 DRILL 10, 10 is a size, not the number of an operation
+  const bool of_number = is(name.first - 1, FigureIs::tool) && !goes_on;
   return !bare_whole || ((name.size_after || of_number) && !divided);
 }
 

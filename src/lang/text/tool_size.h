@@ -19,7 +19,7 @@ class ToolSize {
   std::optional<double> corner(std::optional<double> diameter) const;
 
  private:
-  using Sizes = std::vector<double>;  // sizes in mm that one rule has found; if they differ, none is used
+  using Sizes = std::vector<double>;  // sizes in mm that one rule has found in a comment; if the sizes differ, none of them is used
   bool has(std::size_t i) const { return i < pieces_.size(); }
   bool means(std::size_t i, WordHints what) const { return has(i) && pieces_[i].meaning.is(what); }
   bool is(std::size_t i, FigureIs what) const { return has(i) && pieces_[i].is_figure() && pieces_[i].figure == what; }
@@ -53,7 +53,7 @@ class ToolSize {
   const ToolNames& names_;
   const bool inch_;
   const ToolWord kind_;
-  bool has_no_size_ = false;  // the tool's name contains no size, or a size that is not the diameter
+  bool has_no_size_ = false;  // true: the tool's name contains no size, or it contains a size that is not the diameter
   bool is_wide_ = false;      // the tool is a face mill or a saw
   bool is_disc_ = false;      // the tool is a slot mill or a key cutter
 };

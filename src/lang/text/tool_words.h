@@ -16,7 +16,8 @@ enum class WordHints : std::uint64_t {
   // ---- about the tool
   tool = bit(0),        // the word names a tool, and a size may be before the word
   size_after = bit(1),  // a size may also be after the word, as in ENDMILL 10
-  work_too = bit(2),    // the word names a tool or its operation: in DRILL 4 the 4 is the number of the operation, but DRILL 4.2 is a drill
+  // the word names a tool or its operation: in the comment DRILL 4 the 4 is the number of the operation, but DRILL 4.2 is a drill
+  work_too = bit(2),
   no_bare_size = bit(3),  // only a number with a unit, or a fraction, is the size of this tool: BIT, BROCA
   only_called = bit(4),   // only a number that the comment calls diameter is the size of this tool: BORING BAR
   part_of_name = bit(5),  // the word is part of a tool's name: END, FACE, SPOT, NOSE
@@ -48,7 +49,7 @@ enum class WordHints : std::uint64_t {
   joins = bit(28),        // the word joins two tools or sizes: DRILL AND TAP, 3/8 OR 1/2
   of_part = bit(29),      // the comment may be about the workpiece, not about a tool: HOLES, BOSS
   of_tool = bit(30),      // the word names a thing that only tools have: FLUTE, LOC
-  offset = bit(31),       // in the clause of this word D10 is an offset number
+  offset = bit(31),       // in a clause that contains this word, D10 is an offset number and not a diameter
   no_diameter = bit(32),  // a DIA after the word is not the diameter of the tool, as in MINOR DIA
 };
 

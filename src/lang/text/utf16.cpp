@@ -89,7 +89,7 @@ class Utf16Source final : public ByteSource {
       text.clear();
       piece(mark.there, text);
       const std::size_t skipped = offset + got - mark.here;
-      if (skipped >= text.size()) break;  // the file has become shorter since it was opened
+      if (skipped >= text.size()) break;  // nothing more can be read, because the file has become shorter since it was opened
       got += text.copy(to + got, size - got, skipped);
     }
     return got;
@@ -98,8 +98,8 @@ class Utf16Source final : public ByteSource {
 
  private:
   struct Mark {
-    std::uint64_t there = 0;  // offset in the file, which is UTF-16
-    std::uint64_t here = 0;   // offset in the text, which is UTF-8
+    std::uint64_t there = 0;  // offset of a piece in the file, which is in UTF-16
+    std::uint64_t here = 0;   // offset of the same piece in the text, which is in UTF-8
   };
 
   /// Converts the piece that starts at the file offset `there`. Returns the number of bytes of the file that were converted.
