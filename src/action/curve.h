@@ -47,14 +47,16 @@ class Curve {
   /// angles (NIST 2.1.2.5).
   double rotary_length() const;
 
-  /// Returns the length of the motion as the commanded feed counts it. `along` selects which travel counts, for example that of all axes.
+  /// Returns the length of the motion as the commanded feed counts it, mm or degrees. `along` selects the travel that counts: for example,
+  /// FeedAlong::all_axes counts the travel of all axes.
   double length(FeedAlong along) const;
 
-  /// Returns true if the length that the feed counts (length(along)) is always the length of the path (length()). If the result is false,
-  /// the two lengths may differ, and the caller has to compute both.
+  /// Returns true if, for this motion, the length that the feed counts in the way `along` equals the length of the path in mm. If the
+  /// result is false, the two lengths may differ, and the caller has to compute both: length(along) and length().
   bool measures_path(FeedAlong along) const;
 
-  /// Returns the derivative by `part` (0 to 1) of the length that the feed counts. The derivative is constant except on spirals.
+  /// Returns the derivative by `part` (fraction of the motion, 0 to 1) of the length that the feed counts in the way `along`. The
+  /// derivative is constant except on spirals.
   double rate(FeedAlong along, double part) const;
 
   /// Returns the signed travel of an axis over the motion. For a rotary axis that rolls over at 360°, whole revolutions are included.

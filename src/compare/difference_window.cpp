@@ -1,5 +1,5 @@
-// Selects the part of a difference that a close-up shows. Used by compare/difference_plot; tested by
-// tests/compare/difference_window_test.cpp.
+// Selects the area of the workpiece that a close-up picture of a difference between two programs shows, and the direction of view. Used by
+// compare/difference_plot; tested by tests/compare/difference_window_test.cpp.
 
 #include "compare/difference_window.h"
 
@@ -9,17 +9,17 @@
 namespace kadr {
 namespace {
 
-// Greatest size of the section of the part that a close-up shows, as a multiple of the distance between the paths. In a larger section, the
-// distance is hardly visible.
+// Greatest size of the area that a close-up shows, as a multiple of the distance between the two paths. In a larger area, the distance is
+// hardly visible.
 constexpr double max_times = 12;
-// Size of the section of the part in a close-up, as a multiple of the distance between the paths, that shows the distance well
+// Size of the area in a close-up that shows the distance between the two paths well, as a multiple of this distance
 constexpr double good_times = 6;
-// Greatest size of the section of the part that a close-up shows, as a fraction of the part's size. A larger section shows no more than the
-// view of the whole part.
+// Greatest size of the area that a close-up shows, as a fraction of the size of the whole part. A larger area shows no more detail than
+// the picture of the whole part.
 constexpr double little_part = 0.6;
-constexpr double margin_part = 0.15;   // margin around what a close-up must show, as a fraction of the section shown
-constexpr double place_part = 0.06;    // size of the section around a single position in a close-up, as a fraction of the part's size
-constexpr double least_window = 0.02;  // least size of the section of the part that a close-up shows, mm
+constexpr double margin_part = 0.15;   // margin around what a close-up must show, as a fraction of the size of this area
+constexpr double place_part = 0.06;    // size of the area around a single position in a close-up, as a fraction of the part's size
+constexpr double least_window = 0.02;  // least size of the area that a close-up shows, mm
 constexpr double page_size = 500;      // approximate size of a drawn view of the part, in units of the page
 
 double greatest_of(Vec3 v) { return std::max({v.x, v.y, v.z}); }

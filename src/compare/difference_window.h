@@ -1,5 +1,5 @@
 #pragma once
-// Selects the section of the part that a close-up of a difference shows, and the direction of view. Used by compare/difference_plot.
+// Selects the area of the part that a close-up picture of a difference shows, and the direction of view. Used by compare/difference_plot.
 
 #include "out/picture/plot/plot_view.h"
 

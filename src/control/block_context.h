@@ -1,7 +1,7 @@
 #pragma once
 // BlockContext: the block that is being executed, the state of the control before the block, and the meaning of the block's words in this
 // state. A function that only reads words, modes, tables or variables receives a BlockContext, through which it can neither emit an action
-// nor change the course of the program. Only src/control includes this file.
+// nor change the program flow. Only src/control includes this file.
 
 #include <initializer_list>
 #include <memory>
@@ -95,9 +95,9 @@ class BlockContext : public ControlState, public RunMemory {
   /// Returns which parts of the state a block with this plan may change. Only the plan decides here; a dialect may override the decision.
   BlockChanges changes_of_block(const Plan& plan) const;
 
-  // ---- course of the program
+  // ---- program flow
 
-  /// Returns the course of the program (files, open calls, limits of the run) for reading. Only the Interpreter changes it.
+  /// Returns the program flow (files, open calls, limits of the run) for reading. Only the Interpreter changes it.
   const Flow& program() const { return flow; }
 
   // ---- tables that the words refer to
@@ -137,8 +137,8 @@ class BlockContext : public ControlState, public RunMemory {
   Flow flow;
   ControlState before_;
   bool state_saved_ = false;
-  // position in the program before the block; set if a function of the block changes the course of the program while the block may still
-  // fail
+  // The state of the program flow before the block. It is set if a function of the block changes the flow while the block may still fail,
+  // and is restored if the block fails.
   std::optional<Flow::Place> flow_before_;
   ShapeFacts* shape_ = nullptr;  // facts about the shape of the current block; nullptr if the block has no shape
 };

@@ -1,7 +1,7 @@
 #pragma once
 // Emitter: what a block does to the machine. Motions, changes of the coordinate frames, functions and warnings leave the interpreter
 // through the Emitter as actions, and the Emitter updates the state accordingly. A function that moves an axis or switches an output
-// receives an Emitter, which cannot change the course of the program. Only src/control includes this file.
+// receives an Emitter, which cannot change the program flow. Only src/control includes this file.
 
 #include <functional>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 // Interpreter: runs a program block by block. It reads the next block, plans and executes it, undoes a faulty one, and decides where
 // the program continues. Its functions read the state as a BlockContext and emit actions through an Emitter; only functions that change
-// the course of the program receive the Interpreter itself. Only src/control includes this file.
+// the program flow receive the Interpreter itself. Only src/control includes this file.
 
 #include <memory>
 #include <optional>

@@ -100,7 +100,8 @@ class Rewriter {
   /// Appends text to the output; returns false if the output is full.
   bool write_line(std::string_view text) {
     if (is_full_) return false;
-    // Blocks of subprograms are collected; they are written after the program end, or before the program on a control with sections
+    // Blocks of subprograms are collected; they are written after the program end, or before the main program
+    // on a control with a section of subprograms (2С42)
     if (in_section_ || in_subprogram_) {
       tail_ += text, tail_lines_.push_back(source_line_);
     } else {
@@ -110,7 +111,7 @@ class Rewriter {
     return !is_full_;
   }
   /// Writes the block, or collects it as part of a subprogram. Subprograms of O lines are moved to after the program end; on a control with
-  /// sections, all subprograms are moved to before the program.
+  /// a section of subprograms (2С42), all subprograms are moved to before the program.
   void block_or_subprogram(std::uint32_t line) {
     const bool is_label = spec_.to->grammar.section_address != 0 && block_.marker == Marker::label;
     if (is_label) leave_subprogram();
@@ -258,7 +259,8 @@ class Rewriter {
     words_.repeat_modes();
   }
 
-  /// Writes a block of a subprogram, with a block number of the section.
+  /// Writes a block of a subprogram. On a control with a section of subprograms (2С42), the block gets a number that belongs to this
+  /// section, in place of its own number.
   void write_in_section(std::string_view line) {
     if (line.starts_with('N')) line.remove_prefix(std::min(line.find(' '), line.size() - 1) + 1);
     blocks_.text(line.substr(0, line.find('\n')));

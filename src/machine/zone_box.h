@@ -17,7 +17,8 @@ struct ZoneBox {
   bool empty() const;
   bool holds(const Axes& point) const;
 
-  /// Returns true if this box and the box `box`, which limits all axes, have no common point.
+  /// Returns true if this box and `box` have no common point.
+  ///   pre  `box` has a least and a greatest position for every axis; no axis of it is unlimited
   bool apart(const Extents& box) const;
 
   /// Returns a copy of this box with all faces moved outwards by `margin`, mm or degrees.

@@ -111,7 +111,7 @@ class Session {
   void hold_each(bool on) {
     if (channels_run_) channels_run_->hold_each(on);
   }
-  /// Returns the position of a channel's axes on the machine.
+  /// Returns the present position of a channel: the coordinates of its axes, mm or degrees, as work and as machine coordinates.
   ToolPosition stand(std::size_t channel) const;
   ToolPosition stand() const { return stand(own_); }
   /// Declares that the axes of a channel have been moved by hand to the position `machine`, in machine coordinates.

@@ -89,7 +89,7 @@ struct CutResult {
   double cell = 0;         // edge length of a lattice cell, mm
   double seconds = 0;      // duration of the program, s
   std::uint64_t sweeps = 0;
-  std::vector<ToolRemoval> tools;      // what each tool has removed; the tools are in the order in which they are first used
+  std::vector<ToolRemoval> tools;      // for each tool, the volume that it has removed and its time at feed; in the order of first use
   std::vector<CutFinding> collisions;  // collisions and forbidden cuts that count as alarms
   std::vector<CutFinding> warnings;
   std::vector<BlockLoad> heaviest;  // blocks with the greatest removal rates, in descending order

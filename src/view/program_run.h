@@ -81,7 +81,7 @@ class ProgramRun {
   OpenedProgram opened_;
   StopToken stop_;
   std::unique_ptr<Session> session_;
-  /// The path of a channel other than the program's own.
+  /// Recorder of the path of one further channel. The path of the channel that runs the opened program is recorded in record_.
   struct Other {
     AxisRoles roles;
     std::unique_ptr<PathRecord> record;

@@ -242,13 +242,15 @@ struct Behaviour {
   double result_most = 0;     // greatest absolute value that may be assigned to a variable (spec/fanuc 5.3); 0: no limit
   // Values of the machine. If the control has a parameter for a value (named in `as` of its table), the parameter takes precedence; a value
   // of the set-up takes precedence over both (config/machine/machine_axes).
-  double feed_most = 0;                // greatest feed, mm/min; 0: no limit
-  double reference_feed = 2000;        // feed, in mm/min, that G25 of the 2С42 uses
-  double return_chip_break = 1;        // distance by which G73 retracts to break the chip, mm
-  double return_near = 1;              // distance above the previous bottom of the hole at which the rapid of G83 ends, mm
-  double probe_least_distance = 0;     // least distance of a probe motion, mm
-  double probe_retract = 0;            // distance by which the probe retracts along its path after contact, mm (Mach3 10.7.12.1)
-  bool probe_in_inverse_time = false;  // true on Grbl: under G93, the F word of a probe motion (G38) states the time of its whole path
+  double feed_most = 0;             // greatest feed, mm/min; 0: no limit
+  double reference_feed = 2000;     // feed, in mm/min, that G25 of the 2С42 uses
+  double return_chip_break = 1;     // distance by which G73 retracts to break the chip, mm
+  double return_near = 1;           // distance above the previous bottom of the hole at which the rapid of G83 ends, mm
+  double probe_least_distance = 0;  // least distance of a probe motion, mm
+  double probe_retract = 0;         // distance by which the probe retracts along its path after contact, mm (Mach3 10.7.12.1)
+  // True on Grbl: a probe motion (G38) is permitted under G93. Its F word, 1/min, then states the reciprocal of the time for the
+  // whole path to the programmed end point, not for the path to the contact (docs/controls/grbl-notes.md).
+  bool probe_in_inverse_time = false;
   bool speed_needs_direction = false;  // true on the 2С42: an S word in a block without M3 or M4 does not change the speed
   bool skip_asks = false;  // true if the set-up may state that the control asks the operator before it skips a block (spec/gost 2)
   // True if the last two digits of a T word with more than two digits are the offset number, as in T0404

@@ -27,7 +27,8 @@ namespace {
 constexpr std::uint32_t lines_of_guess = 500;
 constexpr double near = 4;  // greatest difference from the best score with which a control is still considered
 
-/// The control that is guessed if no evidence points to another control. It is the most common control on hobbyists' machines.
+/// The default guess: the control that is guessed if no evidence points to another control. It is the most common control on hobbyists'
+/// machines.
 constexpr std::string_view usual_control = "mach3";
 
 /// A piece of evidence: a text found in the program, with its first line; with line 0, the style of the program, or the name of the file or
@@ -38,7 +39,7 @@ struct Found {
   std::string en, ru;
 };
 
-/// A control or a program language, with the evidence for it that has been found so far.
+/// A candidate of the guess: a control, or a program language that Kadr does not read, with the evidence found for this candidate so far.
 struct Candidate {
   const GuessRows* rows;
   bool is_dialect;
@@ -149,7 +150,7 @@ std::string reason_of(const std::vector<Found>& found, std::string Found::*langu
   return all;
 }
 
-/// Sorts by score, the greatest first. Among equal scores, the usual control comes first.
+/// Order by score, the greatest first. Among controls with equal scores, the default guess (usual_control) comes first.
 template <class Row>
 bool stands_before(const Row& a, const Row& b) {
   return a.second != b.second ? a.second > b.second : a.first == usual_control && b.first != usual_control;

@@ -49,8 +49,8 @@ Guess guess_among(std::string_view sample, std::string_view path, const std::vec
 ///   returns  an error sentence; empty if the control may be used
 std::string refused_by_control(std::string_view sample, std::string_view control, Lang lang);
 
-/// Returns the controls that a weak guess leaves possible, most likely first. There are at most five, few enough to try them all; each has
-/// some evidence, except for the usual control.
+/// Returns the controls that a weak guess leaves possible, most likely first. There are at most five, few enough to try them all. Each
+/// of these controls has some evidence, except for Mach3, the default guess, which may be listed without evidence.
 std::vector<std::string> candidates_of(const Guess& guess);
 
 /// Lowers the score of each control under which the program's start has faults. If the start has faults under all of them, nothing changes.
@@ -62,9 +62,9 @@ struct CommonGuess {
   std::string control;  // id of the common control; empty: the guesses have no common control
   std::string dialect;  // id of the common program language that Kadr does not read; empty: the guesses have no such language in common
 };
-/// Returns the control or program language that all decisive guesses name; of three or more decisive guesses, three quarters suffice. A
-/// program language must be named by at least two guesses. Without a decisive guess, returns the control with the greatest sum of scores.
-/// Both members are empty if the guesses disagree.
+/// Returns the control, or the program language that Kadr does not read, that all decisive guesses name; of three or more decisive guesses,
+/// three quarters suffice. A program language must be named by at least two guesses. Without a decisive guess, returns the control with the
+/// greatest sum of scores. Both members are empty if the guesses disagree.
 CommonGuess common_guess(const std::vector<Guess>& guesses);
 
 /// Returns true if a program with a weak guess may be for the same control as its neighbours, because its text has no strong evidence

@@ -17,8 +17,8 @@ namespace kadr {
 struct Edge {
   Vec2 from;
   Vec2 to;
-  // Bulge of the edge: the tangent of a quarter of the angle that the arc sweeps, positive if the arc is counter-clockwise. For a straight
-  // line, it is 0; for a semicircle 1, the greatest absolute value.
+  // Bulge of the edge: the tangent of a quarter of the angle that the arc sweeps, positive if the arc is counter-clockwise. It is 0 for a
+  // straight line and ±1 for a semicircle. Its absolute value is at most 1, because the readers split an arc of more than a semicircle.
   double bulge = 0;
   bool open = false;       // true if the edge has no wall, so that the tool may cross it
   std::uint32_t line = 0;  // line number of the edge in the file; 0: the edge is not from a file

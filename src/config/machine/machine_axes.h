@@ -14,8 +14,8 @@ namespace kadr {
 ///   returns  an error sentence (duplicate name, too many names); empty if there is no fault
 std::string fit_to_machine(ControlDef& def, const Setup& setup);
 
-/// Values of the machine that a parameter table may contain: the name under which the engine uses the parameter (`as`), and the member of
-/// Behaviour that stores the value.
+/// Values of the machine that a parameter of the control may set. Each pair has the name under which the interpreter uses the parameter
+/// (`as` in the control's parameter table) and the member of Behaviour that stores the value.
 inline constexpr std::pair<std::string_view, double Behaviour::*> figures_of_machine[] = {
     {"feed_most", &Behaviour::feed_most},
     {"reference_feed", &Behaviour::reference_feed},

@@ -56,7 +56,9 @@ class MotionRun {
     const Block* repeated = nullptr;
     std::uint64_t letters = 0;  // letters of those words of the block `repeated` that have a value (not vacant)
     bool fits = false;          // true: blocks of this shape are plain motions, which the fast path executes
-    bool calls = false;         // true: blocks of this shape only call a subprogram, or only return from a subprogram
+    // true: a block of this shape does nothing but call a subprogram or return from one, so that the run of plain motions may go on after
+    // it
+    bool calls = false;
     // Index of the word that calls, if a block of this shape can be executed without a plan (see quick_call); no_word for other
     // blocks.
     std::uint8_t call = no_word;

@@ -1,4 +1,5 @@
-// The course of the program: readers, call stack, repetitions, jumps. Used by control/interpreter, control/snapshot_content.
+// The program flow (the order in which blocks are executed): readers, call stack, repetitions, jumps. Used by control/interpreter,
+// control/snapshot_content.
 
 #include "control/flow/flow.h"
 

@@ -1,5 +1,6 @@
 #pragma once
-// Flow: the course of the program. It has the readers, the call stack, repetitions, jumps, and the limit for a program that never ends.
+// Flow: the program flow, that is, the order in which blocks are executed. It has the readers, the call stack, repetitions, jumps, and the
+// limit for a program that never ends.
 
 #include <map>
 #include <memory>
@@ -113,7 +114,8 @@ class Flow {
   Status resume_from(const Memory& memory);
 
   // ---- jumps
-  /// The state of the course that a faulty block may have changed: the open calls and the position.
+  /// The state of the program flow: the open calls and the position in the program. It is stored before a block that may change the flow,
+  /// and restored if this block fails.
   struct Place {
     std::vector<CallFrame> frames;
     Position position;

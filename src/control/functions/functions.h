@@ -8,7 +8,7 @@
 
 namespace kadr::functions {
 
-/// Returns true for a function that may change the course of the program (calls, returns, jumps, ends), or that executes other codes. Such
+/// Returns true for a function that may change the program flow (calls, returns, jumps, ends), or that executes other codes. Such
 /// a function receives the Interpreter; all others receive an Emitter.
 constexpr bool steers(Function function) {
   switch (function) {

@@ -71,7 +71,7 @@ class BlockCheck {
   }
 
  private:
-  // ---- checks of single words, in the order in which the block has them (spec/grbl 1.3, 3)
+  // ---- first group of checks: single words, in the order in which the block has them (spec/grbl 1.3, 3)
 
   Status word(const Word& w) {
     if (w.address == 'G') return g_code(w);
@@ -197,7 +197,7 @@ class BlockCheck {
     return {};
   }
 
-  // ---- checks of the block as a whole (spec/grbl 4)
+  // ---- second group of checks: the block as a whole (spec/grbl 4)
 
   bool has(std::string_view letters) const { return (values_ & bits(letters)) != 0; }
   void use(std::string_view letters) { values_ &= ~bits(letters); }
@@ -354,7 +354,7 @@ class BlockCheck {
     return {};
   }
 
-  // ---- last check of the block: words that no code uses
+  // ---- last group of checks: words and codes that the block must not have
 
   /// Refuses words that no code of the block uses (spec/grbl 4.10). A code that uses axis words uses all axis words of the block.
   Status words_used() {

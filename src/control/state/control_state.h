@@ -126,8 +126,8 @@ struct Modal : MotionModal {
 };
 
 /// Conversion from programmed to work coordinates. A point is scaled, then rotated (or rotated, then scaled), then mirrored, and then
-/// shifted by the values of axis correctors. Each axis is converted separately, except the two axes of a rotation. The transformation that
-/// was switched on first is the outermost (nct 16.0).
+/// shifted by the values of axis correctors. Each axis is converted separately, except the two axes of the plane that G68 rotates. The
+/// transformation that was switched on first is the outermost (nct 16.0).
 ///   law  to_programmed(to_work(p)) == p, within the numerical tolerance
 struct Transform {
   bool identity = true;
@@ -137,7 +137,7 @@ struct Transform {
   Axes added;
   double rotation = 0;                 // angle of the rotation in degrees; positive from the first axis towards the second
   Vec2 rotation_center;                // centre of the rotation, mm
-  std::uint8_t first = 0, second = 1;  // indices of the axes of the rotation
+  std::uint8_t first = 0, second = 1;  // indices of the two axes of the plane that G68 rotates
   // order of the transformations: true: a point is scaled, then rotated; false: rotated, then scaled
   bool turned_last = true;
   bool scaling = false, turning = false;     // on the NCT, G51 or G68 is in force, even if the code changes no coordinate
@@ -147,7 +147,8 @@ struct Transform {
   void refresh();  // sets `identity` and the rotation's sine and cosine
   Axes to_work(const Axes& programmed) const;
   Axes to_programmed(const Axes& work) const;
-  /// Returns the axes that move if the named axes move: of the two axes of a rotation, both move if one is named.
+  /// Returns the axes that move if the axes `named` are programmed. Under G68, both axes of the rotated plane move if one of them is
+  /// programmed.
   AxisMask moved_with(AxisMask named) const;
 
   // ---- effect of the transformation in a plane

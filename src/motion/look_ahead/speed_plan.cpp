@@ -89,8 +89,8 @@ Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// Returns true if the speed limit is the same before and after the node. Such a node needs no anchor, so a line that is divided into two
-/// pieces is planned as one piece.
+/// Returns true if the speed limit is the same before and after the node. Such a node needs no anchor (point of zero acceleration), so a
+/// line that is divided into two pieces is planned as one piece.
 bool SpeedPlan::is_anchor_free(std::size_t node) const {
   return is_same(speed_[node], pieces_[node - 1].most) && is_same(speed_[node], pieces_[node].most);
 }
@@ -122,7 +122,8 @@ void SpeedPlan::make_smooth() {
     if (!is_anchor_free(k)) order_.push_back(k);
   const auto from_end = [&](std::size_t node) { return std::min(at_[node], at_.back() - at_[node]); };
   std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return speed_[a] < speed_[b]; });
-  // Anchors of equal speed are placed from both ends of the path inwards, so that the plan is symmetric.
+  // An anchor is a point of the path where the acceleration is zero. The nodes get anchors in ascending order of their speed limits. Nodes
+  // with equal limits are processed from both ends of the path inwards, so that the plan is symmetric.
   for (auto same = order_.begin(); same != order_.end();) {
     auto end = std::next(same);
     while (end != order_.end() && is_same(speed_[*end], speed_[*std::prev(end)])) ++end;
@@ -137,9 +138,10 @@ void SpeedPlan::make_smooth() {
   }
 }
 
-/// Plans between two anchors. The ramps do not reach the speed limits between the anchors, so only the limits of the pieces at the top
-/// speed count. A plan may start in the middle of an older plan, at an instant at which the speed was falling. A complete ramp may then
-/// need more length than is available. In this case the speed changes linearly, with slightly more acceleration than allowed.
+/// Plans the speeds between two anchors (points of zero acceleration). The ramps do not reach the speed limits between the anchors, so only
+/// the limits of the pieces at the top speed count. A plan may start in the middle of an older plan, at an instant at which the speed was
+/// falling. A complete ramp may then need more length than is available. In this case the speed changes linearly, with slightly more
+/// acceleration than allowed.
 void SpeedPlan::fill(std::size_t first, std::size_t last) {
   const double from = speed_[first], to = speed_[last], length = distance(first, last);
   Acceleration a = gentlest(first, last);

@@ -5,9 +5,10 @@
 //
 //   programmed ──▶ held motion k · actions between ──▶ corner k/k+1 ──▶ motion k · chamfer or rounding · actions between · (k+1)
 //
-// The output consists of ordinary motions, which cutter radius compensation then processes. An over-determined block may still move the end
-// of motion k+1. Until this block is read, CornerResolver does not know whether motion k+1 is long enough for the chamfer or rounding at
-// its start. Motion k and its corner then wait until motion k+1 has an end.
+// The output consists of ordinary motions, which cutter radius compensation then processes. An over-determined block (a block with more
+// words than its line or circle needs, so that its intersection with motion k+1 is computed) may still move the end of motion k+1. Until
+// this block is read, CornerResolver does not know whether motion k+1 is long enough for the chamfer or rounding at its start. Motion k and
+// its corner then wait until motion k+1 has an end.
 
 #include "action/tool_position.h"
 #include "path/compensation/radius_compensation.h"
@@ -27,11 +28,12 @@ class CornerResolver {
   /// Processes a batch and replaces its actions by the actions that are final.
   ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), reported at the block before the
   ///           corner; the batch then has only the actions before that block
-  ///   law     without chamfers, roundings and over-determined blocks the output equals the input
+  ///   law     without chamfers, roundings and over-determined blocks (NCT 17.3) the output equals the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
  private:
-  // The end of a motion is its programmed end, or `open`: an over-determined block that follows may still move this end.
+  // The end of a motion: `programmed`: the programmed end is final; `open`: the next block may be over-determined (NCT 17.3: its words
+  // also define a line or circle), and the intersection with it then replaces the programmed end.
   enum class End : std::uint8_t { programmed, open };
   enum class Certainty : std::uint8_t { certain, settled_later };
 

@@ -38,7 +38,8 @@ class QueuedCompensation {
   /// The warnings of the last batch: at most one contour_cut per contour, at the deepest cut of the contour.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
-  /// True if compensation of a contour is active after the last emitted action.
+  /// True if cutter compensation is in progress after the last emitted action: a motion is stored, or the tool is not at the programmed
+  /// point.
   bool at_work() const { return !now_.queue.empty() || off_contour(); }
 
   /// True if the tool is not at the programmed point after the last emitted action.

@@ -259,7 +259,7 @@ void RadiusCompensation::leave() {
 }
 
 /// Lets the program continue from the tool's current position. The function adds the vector from the programmed point to the tool's centre
-/// to the programmed point, and ends the compensation of the contour.
+/// to the programmed point, and ends cutter compensation.
 void RadiusCompensation::stay() {
   flush({});
   if (fault_) return;

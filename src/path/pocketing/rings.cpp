@@ -1,6 +1,6 @@
-// This file computes equidistant closed passes (rings). The distance of a ring of level k from the boundary of the work area is k steps, on
-// the inner side. In a spiral outwards a ring is cut after the neighbouring rings that are one step farther in. In a spiral inwards a ring
-// is cut before these rings.
+// This file computes the rings of a pocket: closed passes at equal distances inside each other. A ring of level k is k steps (Job::step,
+// mm) inside the boundary of the work area (Field::work). In a spiral outwards a ring is cut after the neighbouring rings that are one step
+// farther in. In a spiral inwards a ring is cut before these rings.
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr std::size_t samples = 16;  // Number of corners of a ring at which its neighbours are searched for.
+constexpr std::size_t samples = 16;  // approximate number of edges of a ring at which its outer neighbours are searched for
 
 struct Ring {
   Edges path;
@@ -33,7 +33,8 @@ bool neighbours(const Ring& outer, const Ring& inner, double step) {
   return false;
 }
 
-/// Returns an upper bound, mm, of the distance between a ring and the boundary.
+/// Returns an upper bound, mm, of the distance from the boundary of the work area to the innermost ring of the pocket: half the shorter
+/// side of the box around the area.
 double half_width(const Field& field) {
   Bounds box;
   for (const Edges& loop : field.work)

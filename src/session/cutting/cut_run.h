@@ -58,7 +58,8 @@ class CutRun {
   /// machine needs for the step, s.
   void consume(const Step& step, double longer);
 
-  /// Calls the collision check `take` and reports its collisions together with the findings of the stock.
+  /// Calls the function `take`, which passes a step to the collision check of the machine's bodies (watch_) and returns the collisions
+  /// found. Reports these collisions together with the findings of the stock.
   template <class Take>
   void watch(const Take& take);
 

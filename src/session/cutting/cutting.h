@@ -121,7 +121,8 @@ class Cutting {
     double diameter = 0, teeth = 0;
     Vec3 at;
     Vec2 radius;  // unit vector from the axis of rotation towards a turning tool; 0 for other tools
-    // Two flags for turning tools. in_groove: the insert moves in a thread groove; threads: the motion cuts the thread.
+    // Two flags for turning tools. in_groove: the motion cuts a thread, or is the rapid directly after such a motion, in which the insert
+    // leaves the thread groove. threads: the motion cuts a thread.
     bool in_groove = false, threads = false;
     double lead = 0;  // thread lead, mm; 0: the program states no lead
   };

@@ -1,5 +1,6 @@
-// Converts a convex body of an upright tool to a SweptBody: one rounded, conical or flat end and one cylinder, in single precision, for
-// which the intersection with lattice lines has fast formulas. Used by stock/stock.
+// Converts a convex body of an upright tool (ConvexBody) into the form SweptBody. A SweptBody consists of one flat, ball, conical or torus
+// end and one cylinder, with dimensions in single precision, so that fast formulas give its intersections with lattice lines. Used by
+// stock/stock.
 
 #include "stock/cut/swept_body.h"
 

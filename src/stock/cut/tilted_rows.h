@@ -50,12 +50,15 @@ struct UnderTop {
 inline constexpr int max_newton = 24;
 inline constexpr float on_surface = 5e-5f;  // limit in mm: a point whose distance from the surface is at most this counts as on the surface
 
-/// Vector from a cylinder inside the body to a point of the line, after the tool has moved `t` mm along its path. The cylinder has the
-/// radius `flat` and is above the height `middle`.
+/// The vector from the nearest point of a cylinder inside the body to a point of the line, in the tool's coordinates (tool axis along Z),
+/// after the tool has moved `t` mm along its path. The cylinder has the radius `flat` and begins at the height `middle`; its top is
+/// ignored.
 template <class V>
 struct FromShaft {
-  V sideways, below;  // Components of the vector in mm: `sideways` is horizontal and at least 0; `below` is vertical and at most 0.
-  V out_x, out_y;     // horizontal unit vector in the direction of `sideways`
+  // Components in mm of the vector from the cylinder to the point: `sideways` is perpendicular to the tool axis, outwards, at least 0.
+  // `below` is along the tool axis: negative if the point is below the cylinder's bottom face, otherwise 0.
+  V sideways, below;
+  V out_x, out_y;  // unit vector perpendicular to the tool axis, in the direction of `sideways`
 };
 template <class V>
 KADR_IN_LANES FromShaft<V> from_shaft(const TiltedLines<V>& l, const TiltedBody& b, const Vec3Of<V>& place, const V& t) {

@@ -9,13 +9,13 @@
 
 namespace kadr {
 
-/// The units in which the numbers of a path are packed, as whole multiples.
+/// The resolution of a packed path. Each quantity is packed as a whole number of counts; a member is the size of one count.
 struct ReportQuanta {
-  double length = 0.001;  // unit of positions, mm
-  double time = 1e-4;     // unit of times, s
-  double feed = 0.1;      // unit of feeds and speeds, mm/min
+  double length = 0.001;  // one count of a position, mm
+  double time = 1e-4;     // one count of a time, s
+  double feed = 0.1;      // one count of a feed or speed, mm/min
   double direction = 1e-5;
-  double position = 1e-4;  // unit of joint positions, degrees or mm
+  double position = 1e-4;  // one count of a joint position, degrees or mm
 };
 
 /// A rule that omits vertices of a path: a vertex is omitted if its level of detail (PathVertex::level, set by set_levels()) is less than

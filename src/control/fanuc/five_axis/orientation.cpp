@@ -1,5 +1,5 @@
 // G53.1, G53.6: orient the rotary axes to the tilted plane (spec/nct/25g); G54.2: dynamic zero offset of rotary tables (25d).
-// Used by control/functions.
+// Numbers in brackets such as 25.15 are sections of the NCT programming manual. Used by control/functions.
 
 #include <cmath>
 #include <utility>
@@ -17,7 +17,7 @@ namespace {
 constexpr int orient_alone = 531;  // code in tenths: G53.1
 
 /// Returns the positions (machine coordinates, degrees) of the two rotary axes that align the tool with the Z' axis of the tilted plane
-/// (25.11; 25g 3).
+/// (NCT manual 25.11; spec/nct/25g 3).
 Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   const FiveAxisTransform& space = *space_of(m);
   const FiveAxisTransformData& d = space.data();
@@ -29,7 +29,7 @@ Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
 }
 
 /// Returns the real position of the tool tip on the part, in coordinates of the programming frame. The tool length in force is included
-/// (25g 1.5, INFERRED).
+/// (spec/nct/25g 1.5, INFERRED).
 Vec3 tip_in_frame(const BlockContext& m) {
   const FiveAxisTransform& space = *space_of(m);
   return space.in_frame(space.pose(m.position.machine).tip);
@@ -57,7 +57,8 @@ AxisMask all_five(const BlockContext& m) {
   return axes;
 }
 
-/// Returns the kind of motion for the code in force: rapid for G0, a motion at feed for all other codes (25.15; for G53.1 INFERRED).
+/// Returns the kind of motion for the code in force: rapid for G0, a motion at feed for all other codes (NCT manual 25.15; for G53.1
+/// INFERRED).
 Result<MotionKind> kind_in_force(Emitter& m, const Call& call) {
   if (m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::none) return MotionKind::rapid;
   KADR_TRY(m.feed_known(call.where));
@@ -96,7 +97,7 @@ Status turn_to_plane(Emitter& m, const Call& call) {
   return {};
 }
 
-/// The words X Y Z and R of G53.6 (25.15).
+/// The words X Y Z (end point) and R of a block with G53.6 (NCT manual 25.15; spec/nct/25g 5).
 struct Leading {
   std::optional<Vec3> end;  // end point X Y Z in the programming frame
   double pivot = 0;
@@ -132,7 +133,7 @@ Result<Leading> leading_words(const BlockContext& m, const Call& call, Vec3 tip)
 }
 
 /// Puts the tool length that H selects into force. The mode of length compensation in force decides whether this length acts along one axis
-/// or along the tool's direction (25.15).
+/// or along the tool's direction (NCT manual 25.15).
 Status take_orientation_length(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (m.has('H')) {
@@ -209,7 +210,7 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// Executes G53.1, G53.6 (25.11, 25.15). call.row->arg is the code in tenths.
+/// Executes G53.1, G53.6 (NCT manual 25.11, 25.15). call.row->arg is the code in tenths.
 Status tool_orientation(Emitter& m, const Call& call) {
   const FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame != SpaceFrame::plane) return fail(alarm(AlarmId::frame_missing, call.where, call.row->code));
@@ -218,8 +219,8 @@ Status tool_orientation(Emitter& m, const Call& call) {
   return call.row->arg == orient_alone ? turn_to_plane(m, call) : orient_with_tip_control(m, call);
 }
 
-/// G54.2 P (25.4): selects a dynamic offset. If parameter bit FOS is 0, the linear axes move with the origin, so that their coordinates
-/// stay the same. The motion is at feed if G1 is in force, otherwise at rapid.
+/// G54.2 P (NCT manual 25.4): selects a dynamic offset. If parameter bit FOS is 0, the linear axes move with the origin, so that their
+/// coordinates stay the same. The motion is at feed if G1 is in force, otherwise at rapid.
 Status dynamic_zero(Emitter& m, const Call& call) {
   if (!fanuc_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));

@@ -147,9 +147,9 @@ class ToolManagement {
   bool enabled() const { return !rows().empty() || !places().empty(); }
   const ToolRow* row(int data) const { return rows_.find(data); }
 
-  /// Finds the tool for a T word with this type number. Only valid rows are searched: rows whose life status is 1 (not used) or 2 (used),
-  /// and rows outside life management (status 0) that have bit S (searchable). The result is the row with the greatest life counter; among
-  /// equal rows, the row with the smallest data number. The tool need not be in a pocket.
+  /// Finds the tool for a T word with this type number. Only valid rows are searched: rows whose life status is 1 (not used yet) or 2
+  /// (already used, life not expired), and rows with status 0 (tool life is not managed) that have the bit S (searchable). The result is
+  /// the row with the greatest life counter; among equal rows, the row with the smallest data number. The tool need not be in a pocket.
   ///   returns  data number; 0: none
   ///   manual   12.3.1
   int search(std::uint32_t type) const;

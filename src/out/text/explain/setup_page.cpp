@@ -21,7 +21,8 @@ std::string form_text(const SetupKey& row, SetupRange range, Lang lang) {
   return row.null ? translated_in(lang, texts::setup_page::or_null, text) : text;
 }
 
-/// Returns in words which names a table of the set-up may contain, e.g. "axes", «номер — целое число от 1 до 99».
+/// Returns in words the names that the keys of a table in the set-up may have, or that the value of a key may be, e.g. "axes", «номер —
+/// целое число от 1 до 99».
 std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang) {
   const bool is_below = row.form == SetupForm::table;
   switch (row.names) {
