@@ -36,7 +36,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     if (!in_hole_) return approach(m);
     const bool pecks = h_.code == 83_g || h_.code == 73_g;
     if (pecks && depth_ - h_.peck > h_.bottom + same_height) return peck(m);
-    KADR_TRY(finish(m));
+    KADR_TRY(end_hole(m));
     in_hole_ = false;
     ++done_;
     return {};
@@ -74,7 +74,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     return drill(m, MotionKind::rapid, depth_ + above_bottom);
   }
 
-  Status finish(Emitter& m) {
+  Status end_hole(Emitter& m) {
     switch (h_.code) {
       case 74_g: return tap(m);
       case 84_g: return tap(m);
