@@ -64,6 +64,13 @@
   X(probe_state) X(probe_torque) X(probe_torque_axis) X(probe_torque_unknown) X(probe_servo_error) \
   X(probe_window) X(contour_block_missing) X(contour_order) X(contour_shape)                 \
   X(rough_uncompensated)                                                                   \
+  /* alarms of turning cycles and of lathes (spec/fanuc-t 12) */                             \
+  X(figure_words) X(figure_depth) X(figure_block_missing) X(figure_not_monotone)             \
+  X(figure_not_monotone_second) X(figure_first_block) X(figure_unavailable)                  \
+  X(figure_corner_last) X(figure_direct_last) X(figure_over_start) X(figure_type_two)        \
+  X(pattern_repeats) X(groove_relief) X(groove_end) X(groove_step) X(thread_angle)           \
+  X(thread_cut_depth) X(thread_height) X(thread_lead_change) X(turning_axis)                 \
+  X(chamfer_in_taper) X(chamfer_not_square) X(turret_number)                                 \
   /* alarms of zones (nct 22), in-position (nct 4.1.1), channels (nct 14.5) */               \
   X(zone1_positive) X(zone1_negative) X(zone2_positive) X(zone2_negative) X(zone2_inside)    \
   X(zone3_inside) X(zone2_entry) X(zone3_entry)                                              \

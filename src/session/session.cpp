@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/control/control_file.h"
+#include "config/machine/machine_axes.h"
 #include "control/start_fault.h"
 #include "motion/look_ahead/control_speed.h"
 #include "motion/time/estimate.h"
@@ -29,6 +31,8 @@ Session::Session(SessionSpec spec) : spec_(std::move(spec)) {}
 Session::~Session() = default;
 
 tl::expected<std::unique_ptr<Session>, ChannelsFault> Session::open(SessionSpec spec) {
+  if (const std::string system = system_of(*spec.control, spec.setup); !system.empty())
+    if (auto def = load_control(system)) spec.control = std::make_shared<const ControlDef>(std::move(*def));
   // std::make_unique cannot be used, since the constructor is private
   auto session = std::unique_ptr<Session>(new Session(std::move(spec)));
   give_machine(session->spec_.setup, session->spec_.machine, *session->spec_.control);

@@ -12,6 +12,7 @@
 
 #include "base/alarm.h"
 #include "base/vec.h"
+#include "config/control/code_system.h"
 #include "config/control/function.h"
 #include "lang/block/grammar.h"
 #include "lang/text/written_letters.h"
@@ -113,8 +114,7 @@ struct CycleRow {
   std::uint64_t left_out = 0;
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
-  // True if a call of the cycle requires that the overrides are switched off (G23), as L84 of the 2С42 does
-  bool needs_override_off = false;
+  bool needs_override_off = false;  // true if a call of the cycle requires that the overrides are off (G23), as L84 of the 2С42 does
   Text text;
   std::string manual;
 };
@@ -264,6 +264,7 @@ struct Behaviour {
   bool label_is_number = false;  // true if O0001 directly after % is the program number (spec/gost 1)
   // The members from here to the end of the struct are for controls with custom macros (spec/fanuc).
   LaterWord later_word_counts = LaterWord::nowhere;
+  Lathe lathe = Lathe::none;
   CycleWords cycle_words = CycleWords::shift_by_ijk;
   // The unit of P in a dwell. If it is not s, the dwell words X and U are still in s, and G4 alone is an exact stop (spec/fanuc 4.1).
   DwellUnit dwell_unit = DwellUnit::seconds;
@@ -275,9 +276,8 @@ struct Behaviour {
   bool repeats_by_k = false;           // true: the word K is the repeat count of a drilling cycle; false: the word L (spec/fanuc 10.1)
   bool reference_all_axes = false;     // true if G28 without axis words moves all axes directly to the reference point (spec/haas 5.1)
   bool returns_to_own_block = false;   // true if M99 P jumps to a block of the program that contains the M99 (spec/haas 3.3)
-  // True if the arguments of a macro call with repetitions (G65 L) are set for the first repetition only (spec/haas 3.4)
-  bool repeats_keep_locals = false;
-  bool words_passed_over = false;  // true if a word that no code of the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
+  bool repeats_keep_locals = false;    // true if a macro call with repetitions sets the arguments for the first one only (spec/haas 3.4)
+  bool words_passed_over = false;      // true if a word that no code of the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
   // The assignment #3000=n in a program raises the alarm with the number alarm_base + n (spec/fanuc 5.5)
   std::uint32_t alarm_base = 4000;
   std::uint32_t call_depth = 16;
@@ -318,6 +318,7 @@ struct MachineCodeRow {
 struct ControlDef {
   std::string id;
   std::vector<std::string> aliases;  // further names of the control that the option --control accepts: "haas-vf"
+  std::vector<CodeSystem> systems;
   Text name;
   std::string spec;                  // the document that describes the control
   std::vector<std::string> lineage;  // ids of the controls that this control extends: "gost"
@@ -341,7 +342,7 @@ struct ControlDef {
   std::vector<Phase> order_list;
   std::vector<std::int32_t> end_codes;  // rows of the codes that are put in force at the end of the program
   std::map<AlarmId, AlarmText> alarms;  // texts of the alarms for which the control has its own number or wording
-  // Values of F by code, for a control with coded feeds (spec/gost 3); empty: F is the feed itself
+  // Values of F by code, for a control with coded feeds (spec/gost 3)
   std::map<std::int32_t, double> feed_codes;
   std::map<std::int32_t, double> speed_codes;
   std::vector<MachineCodeRow> machine_codes;  // rows of [convert]

@@ -98,7 +98,7 @@ std::optional<std::string> repeated_row(const toml::table& under, const toml::ta
 }
 
 /// Inherits the variables of the base control. A variable whose symbol occurs in the file is left out, because the row of the file replaces
-/// it.
+/// it. A row of the file without the key `is` only removes the variable.
 void lay_variables(const toml::table& under, toml::table& over) {
   const toml::array* const below = under["variables"].as_array();
   toml::array* const own = over["variables"].as_array();
@@ -112,6 +112,11 @@ void lay_variables(const toml::table& under, toml::table& over) {
   replaced.erase("");
   for (const toml::node& row : *below)
     if (!replaced.contains(symbol_of(row))) row.visit([&](const auto& value) { own->push_back(value); });
+  for (auto row = own->begin(); row != own->end();) {
+    const toml::table* const table = row->as_table();
+    const bool removes = table != nullptr && table->size() == 1 && table->contains("symbol");
+    row = removes ? own->erase(row) : std::next(row);
+  }
 }
 
 bool is_built_in(const std::string& file) { return toml_tools::embedded_text(file).has_value(); }
@@ -155,8 +160,8 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   }
   auto under = merged(std::move(*base_table), name, from, below, door);
   if (!under) return under;
-  // The keys `aliases` and `guess` name and identify the base control only, so a control that extends it does not inherit them
-  for (const std::string_view own : {"aliases", "guess"}) under->erase(own);
+  // The keys `aliases`, `guess` and `systems` belong to the base control only, so a control that extends it does not inherit them
+  for (const std::string_view own : {"aliases", "guess", "systems"}) under->erase(own);
   if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>())
     forget_sections(*under);
   if (const auto fault = is_built_in(file) ? std::nullopt : repeated_row(*under, *table, file)) return Failed(*fault);

@@ -130,6 +130,7 @@ class ControlLoader {
   Done variables();
   /// Reads the key "parameters", the name of the file of controls/ that contains the parameter table.
   Done parameters();
+  Done systems();
   Done variable(const toml::table& row);
   tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;
   Done alarms();

@@ -67,7 +67,7 @@ std::string_view instead_of(std::string_view key) {
 }
 
 constexpr std::string_view choice_keys[] = {"arc_centers",       "arc_radius_word", "length_offset", "compensation_entry",
-                                            "later_word_counts", "cycle_words",     "dwell_unit"};
+                                            "later_word_counts", "cycle_words",     "dwell_unit",    "lathe"};
 
 }  // namespace
 
@@ -92,6 +92,7 @@ Done ControlLoader::choices(const toml::table& t) {
   KADR_LOAD(choice(t, "length_offset", {"at_once", "next_motion"}, b.length_offset));
   KADR_LOAD(choice(t, "compensation_entry", {"normal", "tangent", "queued"}, b.compensation_entry));
   KADR_LOAD(choice(t, "later_word_counts", {"nowhere", "arguments", "everywhere"}, b.later_word_counts));
+  KADR_LOAD(choice(t, "lathe", {"none", "fanuc", "haas"}, b.lathe));
   KADR_LOAD(choice(t, "cycle_words", {"shift_by_ijk", "shift_by_q", "pecks_by_ijk"}, b.cycle_words));
   KADR_LOAD(choice(t, "dwell_unit", {"seconds", "milliseconds", "milliseconds_without_point"}, b.dwell_unit));
   // In earlier versions the key arc_radius_word had the value true or false

@@ -279,6 +279,18 @@ Done ControlLoader::parameters() {
   return {};
 }
 
+/// Reads `systems`, such as {"3401#6" = "fanuc-t-b"}: the G-code systems that parameters select.
+Done ControlLoader::systems() {
+  const toml::table* const t = section("systems");
+  if (t == nullptr) return {};
+  for (const auto& [parameter, node] : *t) {
+    const auto control = node.value_exact<std::string>();
+    if (!control) return Failed(place(name_, node) + translated(texts::control_file::system_is_control));
+    def_.systems.push_back({std::string(parameter.str()), *control});
+  }
+  return {};
+}
+
 Done ControlLoader::alarms() {
   const toml::table* const t = section("alarms");
   if (t == nullptr) return {};

@@ -61,7 +61,7 @@ constexpr std::string_view not_of_nct[] = {
 constexpr std::string_view only_of_nct[] = {
     "later_word_counts",   "dwell_unit",         "repeats_in_program_number", "cycle_words", "machine_move_absolute",
     "repeats_by_k",        "reference_all_axes", "tool_along_third",          "alarm_base",  "returns_to_own_block",
-    "repeats_keep_locals", "further_systems",    "m_codes_of_block"};
+    "repeats_keep_locals", "further_systems",    "m_codes_of_block",          "lathe"};
 
 /// Functions that act in a plane, or along the axis perpendicular to a plane.
 constexpr Function plane_functions[] = {

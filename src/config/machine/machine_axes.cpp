@@ -158,18 +158,27 @@ class Fitter {
     }
   }
 
-  /// Creates U, V, W as incremental X, Y, Z, if these letters are neither axes nor auxiliary functions (nct 5.1). Only for controls with
-  /// the operator I, which makes a single word incremental.
+  /// Creates U, V, W as incremental X, Y, Z, if these letters are neither axes nor auxiliary functions (nct 5.1); on a lathe also H as
+  /// incremental C (spec/fanuc-t 3.2). Only for lathes, and for controls with the operator I, which makes a single word incremental.
   void increments() {
-    if (!def_.grammar.operator_i) return;
-    for (int i = 0; i < 3; ++i) {
-      AddressRow& row = address(static_cast<char>('U' + i));
-      const AddressRow main = address(static_cast<char>('X' + i));
-      if (row.function != Function::argument_only || main.function != Function::axis) continue;
+    const bool lathe = def_.behaviour.lathe != Lathe::none;
+    if (!def_.grammar.operator_i && !lathe) return;
+    constexpr std::pair<char, char> pairs[] = {{'U', 'X'}, {'V', 'Y'}, {'W', 'Z'}, {'H', 'C'}};
+    for (const auto& [letter, of] : pairs) {
+      AddressRow& row = address(letter);
+      const AddressRow main = address(of);
+      const bool free = row.function == Function::argument_only || (letter == 'H' && row.function == Function::word_of_code);
+      if (!free || main.function != Function::axis) continue;
+      row.letter = letter;
       row.function = Function::increment_axis;
+      row.phase = Phase::none;
       row.axis = main.axis;
       row.unit = main.unit;
-      format(row.letter).increment = true;  // U, V, W also accept the operator I, which changes nothing (nct 1.1)
+      row.least = -1e300;
+      row.most = 1e300;
+      row.whole = false;
+      // U, V, W also accept the operator I, which changes nothing (nct 1.1)
+      format(letter).increment = def_.grammar.operator_i;
     }
   }
 
@@ -255,6 +264,18 @@ std::string fit_to_machine(ControlDef& def, const Setup& setup) {
     return {};
   }
   return Fitter(def, setup).run();
+}
+
+std::string system_of(const ControlDef& def, const Setup& setup) {
+  for (const auto& [parameter, control] : def.systems) {
+    const std::size_t hash = parameter.find('#');
+    const std::string name = parameter.substr(0, hash), bit = hash == std::string::npos ? std::string() : parameter.substr(hash + 1);
+    if (setup_number(setup, name, "", bit) != 0) return control;
+    // a parameter of bits may also be given as a whole number
+    const auto all = static_cast<std::uint64_t>(std::max(setup_number(setup, name), 0.0));
+    if (!bit.empty() && (all >> std::stoul(bit) & 1U) != 0) return control;
+  }
+  return {};
 }
 
 double setup_number(const Setup& setup, const std::string& name, const std::string& index, const std::string& bit) {

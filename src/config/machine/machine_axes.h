@@ -14,6 +14,10 @@ namespace kadr {
 ///   returns  an error sentence (duplicate name, too many names); empty if there is no fault
 std::string fit_to_machine(ControlDef& def, const Setup& setup);
 
+/// Returns the id of the control that has the codes of the G-code system which the set-up's parameters select (ControlDef::systems); empty
+/// if the control's own codes apply (spec/fanuc-t 1.1).
+std::string system_of(const ControlDef& def, const Setup& setup);
+
 /// Values of the machine that a parameter of the control may set. Each pair has the name under which the interpreter uses the parameter
 /// (`as` in the control's parameter table) and the member of Behaviour that stores the value.
 inline constexpr std::pair<std::string_view, double Behaviour::*> figures_of_machine[] = {

@@ -134,9 +134,23 @@ class RowReader {
 
 using Rows = tl::expected<std::vector<ParameterRow>, std::string>;
 
+/// Returns the rows of the table `name` that the key `extends` names; no rows if the table extends none. A row of a table that has the
+/// value `false` removes the row of the extended table.
+Rows extended_rows(const toml::table& table, const std::string& file) {
+  const toml::node* const name = table.get("extends");
+  if (name == nullptr) return std::vector<ParameterRow>();
+  auto rows = load_parameters(name->value_or(std::string()));
+  if (!rows) return Failed(place(file, *name) + rows.error());
+  std::erase_if(*rows, [&](const ParameterRow& row) { return table.contains(row.name); });
+  return rows;
+}
+
 Rows rows_of(const toml::table& table, const std::string& file) {
-  std::vector<ParameterRow> rows;
+  auto extended = extended_rows(table, file);
+  if (!extended) return extended;
+  std::vector<ParameterRow> rows = std::move(*extended);
   for (const auto& [key, node] : table) {
+    if (key == "extends" || node.value<bool>() == false) continue;
     if (!node.is_table()) return Failed(place(file, node) + translated(texts::control_file::parameter_is_table));
     RowReader reader(file, *node.as_table());
     rows.push_back(reader.row(key.str()));

@@ -14,7 +14,8 @@ namespace kadr {
 /// Returns true if a file of controls/ with this name is a parameter table.
 bool is_parameter_table(std::string_view name);
 
-/// Returns the built-in table with this name.
+/// Returns the built-in table with this name. A table may have the key `extends`, which names a table whose rows it inherits; a row with
+/// the value `false` removes an inherited row.
 ///   returns  rows sorted by number, those without a number last; on failure, an error sentence with file and line: no such table,
 ///            unknown key, wrong scope, type, class or range, duplicate bit
 tl::expected<std::vector<ParameterRow>, std::string> load_parameters(const std::string& name);

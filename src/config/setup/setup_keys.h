@@ -65,6 +65,7 @@ enum class SetupNeeds : std::uint8_t {
   parameters,     // a parameter table
   corner_radius,  // the control has variables for the corner radius in its tool offsets
   turning_lengths,
+  lathe_offsets,  // the tool offsets of a lathe have a geometry and a wear for each axis (spec/fanuc-t 4.2)
   tool_management,
   clock,
   ini,  // the control reads an ini file with its settings (spec/linuxcnc 10.1)

@@ -60,6 +60,13 @@ ToolOffset tool_offset(const Json& value, const std::string& key) {
               {"length_x_wear", or_null(to_number(offset.length_x_wear))},
               {"length_y", or_null(to_number(offset.length_y))},
               {"length_y_wear", or_null(to_number(offset.length_y_wear))},
+              {"X", or_null(to_number(offset.length_x))},
+              {"X_wear", or_null(to_number(offset.length_x_wear))},
+              {"Y", or_null(to_number(offset.length_y))},
+              {"Y_wear", or_null(to_number(offset.length_y_wear))},
+              {"Z", or_null(to_number(offset.length))},
+              {"Z_wear", or_null(to_number(offset.length_wear))},
+              {"tip", or_null(to_number(offset.tip_position))},
               {"tip_position", or_null(to_number(offset.tip_position))}});
   return offset;
 }

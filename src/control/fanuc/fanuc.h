@@ -154,6 +154,8 @@ Result<double> dwell_by_digits(BlockContext& m);
 bool has_spindle_word(const BlockContext& m);
 /// Executes G10 L… (in tables/set_tables.cpp).
 Status set_tables(Emitter& m, const Call& call);
+/// Sets the common work offset by the axis words of the block: G10 P0 of lathes (in tables/set_tables.cpp, spec/fanuc-t 4.3).
+Status set_work_shift(Emitter& m, const Call& call);
 
 }  // namespace kadr::fanuc
 

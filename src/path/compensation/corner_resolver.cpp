@@ -13,6 +13,11 @@
 #include "path/curve/plane_shift.h"
 
 namespace kadr {
+namespace {
+
+constexpr double square_tolerance = 1e-6;  // greatest cosine of an angle that counts as a right angle
+
+}  // namespace
 
 std::optional<CompensationFault> CornerResolver::take(ActionBatch& batch, Follows follows) {
   put_back(batch);
@@ -167,6 +172,8 @@ std::optional<CornerElement> CornerResolver::element_at(Vec2 corner, const Conto
   const auto first = held_element(corner);
   if (first && !is_circular(*first)) return failed(AlarmId::corner_illegal, now_.held->action.origin);
   if (!first) return failed(AlarmId::corner_too_large, now_.held->action.origin);
+  if (own.square && (second.is_arc || std::fabs(dot(first->end, second.start)) > square_tolerance))
+    return failed(AlarmId::chamfer_not_square, now_.held->action.origin);
   CornerElement nothing;
   nothing.from = nothing.to = corner;
   if (own.rounding > 0 && meet_smoothly(*first, second)) return nothing;

@@ -35,6 +35,15 @@ Status take_bare_words(BlockContext& m) {
   return {};
 }
 
+/// Returns true if two words position the same axis of a lathe, such as X and U. The later one counts (spec/fanuc-t 3.2).
+bool one_axis(const BlockContext& m, const Word& a, const Word& b) {
+  if (m.def.behaviour.lathe == Lathe::none || a.address == 0) return false;
+  const bool axes = (m.letters.axes & letter_bit(a.address)) != 0 && (m.letters.axes & letter_bit(b.address)) != 0;
+  // In G71 to G73 the words U and W are depths and allowances, and in G4 X and U are times
+  if (!axes || m.has_code({Function::turning_cycle, Function::dwell_or_turns})) return false;
+  return m.def.address(a.address).axis == m.def.address(b.address).axis;
+}
+
 /// Drops repeated words. Of two words with one address, or two codes of one group, only the last counts (spec/fanuc 1.2, 2.1).
 void drop_repeated(BlockContext& m) {
   const auto group_of = [&](const Word& w) {
@@ -49,7 +58,8 @@ void drop_repeated(BlockContext& m) {
     if (is_code && group == 0) continue;
     for (std::uint32_t k = 0; k < i; ++k) {
       Word& before = m.block->words[k];
-      if (before.address != last.address || (is_code && group_of(before) != group)) continue;
+      const bool same = before.address == last.address || one_axis(m, before, last);
+      if (!same || (is_code && group_of(before) != group)) continue;
       before.address = 0;
       m.block->altered = true;
     }

@@ -47,10 +47,10 @@ Status Fanuc::after_block(Interpreter& m) { return fanuc::after_block(m); }
 
 Status Fanuc::target(const BlockContext& m, Axes& to, AxisMask& named) const { return fanuc::target(m, to, named); }
 
-bool Fanuc::shapes_lines(const BlockContext& m) const { return has_geometry_words(m) || controls_lines(m); }
+bool Fanuc::shapes_lines(const BlockContext& m) const { return has_geometry_words(m) || has_corner_words(m) || controls_lines(m); }
 
 Status Fanuc::straight(Emitter& m, const Call& call, MotionKind kind) {
-  return has_geometry_words(m) ? shaped_line(m, call, kind) : tip_control_line(m, call, kind);
+  return has_geometry_words(m) || has_corner_words(m) ? shaped_line(m, call, kind) : tip_control_line(m, call, kind);
 }
 
 bool Fanuc::only_shifts(const BlockContext& m) const { return only_shifts_length(m); }

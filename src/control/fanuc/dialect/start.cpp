@@ -9,6 +9,7 @@
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/frames/transformations.h"
+#include "control/fanuc/lathe/lathe.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
@@ -22,8 +23,22 @@ int group_number(const GroupRow& group) {
   return digits ? std::stoi(group.name) : 0;
 }
 
+/// Returns the initial code of a modal group of a lathe, in tenths (spec/fanuc-t 1.2). The groups have other numbers than those of a mill.
+std::int32_t initial_lathe_code(const BlockContext& m, const Settings& s, int group, std::int32_t otherwise) {
+  switch (group) {
+    case 1: return s.default_1[0] ? 1_g : 0_g;
+    case 3: return s.default_1[7] ? 91_g : 90_g;
+    case 5:
+      for (const CodeRow& row : m.def.codes)
+        if (s.lathe.feed_per_minute && row.function == Function::feed_per_minute) return row.tenth;
+      return otherwise;
+    default: return otherwise;
+  }
+}
+
 /// Returns the initial code of a modal group, in tenths (3.3).
-std::int32_t initial_code(const Settings& s, int group, std::int32_t otherwise) {
+std::int32_t initial_code(const BlockContext& m, const Settings& s, int group, std::int32_t otherwise) {
+  if (s.lathe.is_lathe) return initial_lathe_code(m, s, group, otherwise);
   switch (group) {
     case 1: return s.default_1[0] ? 1_g : 0_g;
     case 2: return s.default_1[1] ? 18_g : s.default_1[2] ? 19_g : 17_g;
@@ -64,7 +79,7 @@ void Fanuc::reset_codes(Interpreter& m, bool keep) {
     if (group.power_on < 0 || (!always && keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
                                s.kept_groups[static_cast<std::size_t>(number)]))
       continue;
-    const std::int32_t tenth = initial_code(s, number, m.def.codes[static_cast<std::size_t>(group.power_on)].tenth);
+    const std::int32_t tenth = initial_code(m, s, number, m.def.codes[static_cast<std::size_t>(group.power_on)].tenth);
     const std::int32_t index = m.def.row_of('G', tenth);
     if (index < 0) continue;
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
@@ -103,7 +118,7 @@ void Fanuc::take_reference_points(BlockContext& m) {
 
 void Fanuc::read_parameters(BlockContext& m) {
   MacroB::read_parameters(m);
-  settings = fanuc::read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
+  settings = fanuc::read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers, m.def.behaviour.lathe != Lathe::none);
   if (const ParameterId most = parameters.named("1400"); most != ParameterId::none)
     settings.offset_numbers = static_cast<int>(parameters.value(most));
   if (m.def.behaviour.tool_along_third) settings.length_axes = settings.length_of_block ? 0 : std::max(settings.length_axes, 1);
@@ -143,6 +158,7 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
   // 11.4; INFERRED: at power-on the main spindle is the spindle that parameter N0604 names
   m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);
   spindle_part = setup.spindle_override / 100;
+  if (settings.lathe.is_lathe) start_turning_memory(*this);
   state.surface_speed = settings.surface_speed;
   state.css_axis = settings.css_axis;
   m.transform = Transform();

@@ -13,6 +13,7 @@
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/frames/transformations.h"
 #include "control/fanuc/geometry/automatic_geometry.h"
+#include "control/fanuc/lathe/lathe.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
 
@@ -366,6 +367,7 @@ namespace kadr::functions {
 Status drilling(Emitter& m, const Call& call) {
   KADR_TRY(fanuc::known(m, call));
   if (fanuc::moves_by_code(m)) return {};
+  if (m.def.behaviour.lathe != Lathe::none) return fanuc::turned_drilling(m, call);
   return fanuc::Drilling(m, call).run();
 }
 

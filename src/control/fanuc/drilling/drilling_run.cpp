@@ -92,6 +92,8 @@ Result<bool> DrillingRun::next(Emitter& m) {
   }
   const DrillStep now = cycle_.steps[at_ - 1];
   if (now == end) {
+    if (job_.release_code != 0) m.emit(MachineFunction{job_.release_code, {}, {}, std::uint8_t{0}});
+    if (job_.release_dwell > 0) m.emit(Dwell{job_.release_dwell});
     single_block(m);
     at_ = 0;
     ++pass_;

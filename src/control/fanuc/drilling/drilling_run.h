@@ -49,6 +49,9 @@ class DrillingRun final : public SteppedCycleValue<DrillingRun> {
     double rise = 0;             // height in mm above R to which the tool returns between pecks
     double clear_after = 0;      // depth in mm that the pecks cut before the tool returns to R (spec/haas 8.3); 0: the tool never returns
     bool orients_tap = false;    // parameter bit TSC = 1: M19 orients the spindle before rigid tapping
+    // M code that releases the C axis after each hole, and the dwell in s after it (spec/fanuc-t 10.1); 0: none
+    std::uint32_t release_code = 0;
+    double release_dwell = 0;
   };
   explicit DrillingRun(Job job);
 

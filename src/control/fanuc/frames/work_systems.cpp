@@ -118,9 +118,22 @@ Status local_system(Emitter& m, const Call& call) {
   return {};
 }
 
+/// Ends the shifts of G50 and G52 on the named axes: G50.3, in the systems B and C G92.1 (spec/fanuc-t 5.1).
+Status end_new_system(Emitter& m, const Call& call) {
+  if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
+  KADR_TRY(each_axis(m, [&](std::size_t a, double, const Word&) -> Status {
+    m.modal.new_system[a] = m.modal.local[a] = 0;
+    return {};
+  }));
+  m.change_frames();
+  return {};
+}
+
 /// G92 (10.2.6): gives the tool's position the stated coordinates in every work system, and deletes the shift of G52 on the named axes.
-/// Word S limits the spindle speed (11.5.2).
+/// Word S limits the spindle speed (11.5.2). On a lathe an increment shifts the systems so that the present coordinate grows by it
+/// (spec/fanuc-t 5.1).
 Status new_system(Emitter& m, const Call& call) {
+  if (call.row->arg == 503) return end_new_system(m, call);
   if (m.has('S')) {
     fanuc_of(m).state.max_css_speed = m.value('S');
     if (m.modal.surface_speed) fanuc_of(m).emit_surface_speed(m);
@@ -131,10 +144,12 @@ Status new_system(Emitter& m, const Call& call) {
   }
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
-    if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
+    const bool increment = written_as_increment(m, w), lathe = m.def.behaviour.lathe != Lathe::none;
+    if (increment && !lathe) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     // chapter 16: mirroring, scaling and rotation do not act on the coordinates of G92
     const double here = m.position.work[a] + m.modal.local[a];
-    m.modal.new_system[a] += here - v;
+    const bool adds = lathe && (increment || !m.modal.absolute);
+    m.modal.new_system[a] += adds ? -v : here - v;
     m.modal.local[a] = 0;
     return {};
   }));
@@ -156,6 +171,10 @@ Status machine_move(Emitter& m, const Call& call) {
   AxisMask named = 0;
   fanuc_of(m).rolled = 0;
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
+    if (written_as_increment(m, w) && m.def.behaviour.lathe != Lathe::none) {  // spec/fanuc-t 5.4: U and W are ignored
+      m.warn(warning(AlarmId::machine_move_incremental, w.where, w.written));
+      return {};
+    }
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     to[m.frames.driven(a)] = v;
     named |= 1u << a;

@@ -34,8 +34,10 @@ CornerData in_work(const BlockContext& m, CornerData c) {
 /// (17.3).
 Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words, CornerData& contour) {
   const Span where = m.where(comma_angle);
-  if (kind != MotionKind::feed || (!words.both() && m.modal.radius_side == 0)) return fail(alarm(AlarmId::angle_alone, where));
-  if (m.modal.radius_side == 0) return fail(alarm(AlarmId::intersection_needs_side, where, ",A"));
+  // A lathe computes the point without compensation too (spec/fanuc-t 3.5)
+  const bool computes = m.modal.radius_side != 0 || m.def.behaviour.lathe != Lathe::none;
+  if (kind != MotionKind::feed || (!words.both() && !computes)) return fail(alarm(AlarmId::angle_alone, where));
+  if (!computes) return fail(alarm(AlarmId::intersection_needs_side, where, ",A"));
   if (m.modal.polar_data) return fail(alarm(AlarmId::not_together, where, "G16", ",A"));
   const SinCos angle = sincos_deg(m.value(comma_angle));
   contour.on = words.both() ? SupportingCurve::line : SupportingCurve::ray;
@@ -44,7 +46,28 @@ Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words,
   return {};
 }
 
+/// Reads the corner words I, K, R of a lathe's G1 (spec/fanuc-t 3.4): I after a motion along the first axis of the plane, K after one along
+/// the second; R is a rounding. The signs are INFERRED to have no effect, because the next motion determines the direction.
+///   alarms  chamfer_and_rounding: two of I, K, R; chamfer_in_taper: a motion of two axes; chamfer_not_square: I with the wrong axis
+Status corner_words(const BlockContext& m, CornerData& contour) {
+  const char* const given = m.has('I') ? "I" : m.has('K') ? "K" : "R";
+  if (int{m.has('I')} + int{m.has('K')} + int{m.has('R')} > 1) return fail(alarm(AlarmId::chamfer_and_rounding, m.where('K')));
+  const PlaneWords words = plane_words(m);
+  if (!words.one()) return fail(alarm(AlarmId::chamfer_in_taper, m.where(*given)));
+  if ((*given == 'I' && !words.first) || (*given == 'K' && !words.second)) return fail(alarm(AlarmId::chamfer_not_square, m.where(*given)));
+  const double size = std::fabs(m.length_value(*given));
+  if (!(size <= farthest)) return fail(alarm(AlarmId::value_out_of_range, m.where(*given), *given, m.value(*given)));
+  (*given == 'R' ? contour.rounding : contour.chamfer) = size;
+  contour.square = true;
+  return {};
+}
+
 }  // namespace
+
+bool has_corner_words(const BlockContext& m) {
+  constexpr std::uint64_t corner_bits = letter_bit('I') | letter_bit('K') | letter_bit('R');
+  return m.def.behaviour.lathe != Lathe::none && (m.block->letters & corner_bits) != 0;
+}
 
 bool has_geometry_words(const BlockContext& m) { return (m.block->letters & geometry_bits) != 0; }
 bool has_shape_words(const BlockContext& m) { return (m.block->letters & shape_bits) != 0; }
@@ -98,13 +121,16 @@ Status shape_words(const BlockContext& m, CornerData& contour) {
 Status shaped_line(Emitter& m, const Call& call, MotionKind kind) {
   CornerData contour;
   KADR_TRY(shape_words(m, contour));
+  const bool cornered = kind == MotionKind::feed && has_corner_words(m) && m.has_axis_words();
+  if (cornered) KADR_TRY(corner_words(m, contour));
   const PlaneWords words = plane_words(m);
-  const bool shaped = has_shape_words(m), supports = m.has(comma_angle) && !words.one();
+  const bool shaped = has_shape_words(m) || cornered, supports = m.has(comma_angle) && !words.one();
   if (shaped && (kind != MotionKind::feed || !(m.has(comma_angle) || words.first || words.second)))
     return fail(alarm(AlarmId::corner_illegal, m.where(m.has(comma_chamfer) ? comma_chamfer : comma_rounding)));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, ",A ,C ,R"));
   if (supports) KADR_TRY(supporting_line(m, kind, words, contour));
-  if (m.has('Q') && contour.on != SupportingCurve::line) return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
+  const bool lathe = m.def.behaviour.lathe != Lathe::none;
+  if (m.has('Q') && contour.on != SupportingCurve::line && !lathe) return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
   Axes to;
   AxisMask named = 0;
   fanuc_of(m).absolute_block = contour.on == SupportingCurve::line;

@@ -18,6 +18,8 @@ namespace kadr::fanuc {
 /// rounding ,R.
 bool has_geometry_words(const BlockContext& m);
 bool has_shape_words(const BlockContext& m);
+/// Returns true if the block of a lathe has I, K or R, which in G1 are a chamfer or a rounding (spec/fanuc-t 3.4).
+bool has_corner_words(const BlockContext& m);
 
 /// Which of the two axes of the plane have a word in the block.
 struct PlaneWords {

@@ -46,6 +46,8 @@ Status needs(const BlockContext& m, const Call& call, const Needed& needed) {
 /// Checks that G15, G50, G50.1, G69, G94 are in force, and that polar interpolation is off (21.1, 21.3, 4.5).
 Status state_allows(const BlockContext& m, const Call& call) {
   if (m.modal.surface == PathSurface::polar) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
+  // INFERRED: a lathe measures in every mode of its groups, whose numbers differ
+  if (m.def.behaviour.lathe != Lathe::none) return {};
   for (const Needed& needed : always_needed) KADR_TRY(needs(m, call, needed));
   return {};
 }

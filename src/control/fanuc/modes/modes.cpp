@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/lathe/lathe_words.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
 
@@ -86,8 +87,8 @@ Status feed_control(Emitter& m, const Call&) {
 /// Executes G50.2, which ends polygon turning. Kadr never starts polygon turning, so there is nothing to end.
 Status transform_off(Emitter&, const Call&) { return {}; }
 
-/// G33 (4.4): cuts a thread along one or two axes. F is the thread lead in mm; or E is the number of threads per inch. Q is the start
-/// angle.
+/// G33 (4.4), on lathes G32, and G34, whose K changes the lead (spec/fanuc-t 8.1, 8.2): cuts a thread along one or two axes. F is the
+/// thread lead in mm; or E is the number of threads per inch. Q is the start angle.
 Status thread(Emitter& m, const Call& call) {
   if (call.row->modal) {
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
@@ -103,15 +104,18 @@ Status thread(Emitter& m, const Call& call) {
   if (named == 0) return {};
   if (!(lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
   if (const int count = __builtin_popcount(named); count > 2) return fail(alarm(AlarmId::thread_axes, call.where, double(count)));
-  const bool first = !fanuc_of(m).state.in_thread;
+  const bool first = !fanuc_of(m).state.in_thread, lathe = m.def.behaviour.lathe != Lathe::none;
+  if (lathe) fanuc::leave_contour(m);
+  const auto mean_lead = call.row->arg == 34 ? fanuc::mean_lead(m, lead, to, named) : Result<double>(lead);
+  if (!mean_lead) return fail(mean_lead.error());
   KADR_TRY(m.straight(MotionKind::thread, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.own_override = motion.no_hold = true;
   motion.unit = FeedUnit::mm_per_rev;
-  motion.feed = lead;
+  motion.feed = *mean_lead;
   MotionDetail& detail = fanuc::detail_of(m, motion);
   detail.lead = lead;
-  if (first) detail.start_angle = m.value('Q');
+  if (first) detail.start_angle = lathe ? fanuc::start_angle_of(m) : m.value('Q');
   fanuc_of(m).state.in_thread = true;
   return {};
 }

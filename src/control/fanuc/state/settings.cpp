@@ -54,6 +54,33 @@ void read_spindles(Settings& s, const ParameterSource& p) {
   }
 }
 
+/// Reads the settings of a lathe (spec/fanuc-t 13).
+void read_lathe(Settings& s, const ParameterSource& p, const std::vector<std::string>& names) {
+  LatheSettings& l = s.lathe;
+  l.is_lathe = true;
+  // The row of 1006#3 has one default for all axes, 1; only X is a diameter (spec/fanuc-t 1.3)
+  for (std::size_t a = 0; a < names.size() && a < max_axes; ++a) s.axes[a].diameter = s.axes[a].diameter && names[a].starts_with('X');
+  const auto on = [&](const char* meaning) { return p.value(meaning, 0) != 0; };
+  l.offset_one_digit = on("offset_one_digit");
+  l.geometry_by_tool = on("geometry_by_tool");
+  l.wear_shifts = on("wear_shifts");
+  l.geometry_moves = on("geometry_moves");
+  l.wear_waits = on("wear_waits");
+  l.offsets_are_radii = on("offsets_are_radii");
+  l.pecks_to_level = on("pecks_to_level");
+  l.level_is_diameter = on("level_is_diameter");
+  l.no_last_pass = on("no_last_pass");
+  l.no_last_pass_two = on("no_last_pass_two");
+  l.feed_per_minute = on("feed_per_minute");
+  l.clamp_code = macro_b::whole_parameter(p.value("clamp_code", 0));
+  l.release_dwell = p.value("release_dwell", 0) / 1000;
+  l.clearance = p.value("rough_clearance", 0);
+  l.run_out = p.value("run_out", 0) / 10;
+  if (const double angle = p.value("run_out_angle", 0); angle > 0) l.run_out_angle = angle;
+  l.tolerance_first = p.value("figure_tolerance_first", 0);
+  l.tolerance_second = p.value("figure_tolerance_second", 0);
+}
+
 /// Reads the settings that only Fanuc and Haas have.
 void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
   s.drills_across = p.value("drills_across", 0) != 0;
@@ -199,9 +226,10 @@ void read_five_axis(Settings& s, const ParameterSource& p, const std::array<std:
 }  // namespace
 
 Settings read_settings(const ParameterSource& source, const std::vector<std::string>& axis_names,
-                       const std::array<std::uint8_t, max_axes>& axis_numbers) {
+                       const std::array<std::uint8_t, max_axes>& axis_numbers, bool is_lathe) {
   Settings s;
   read_axes(s, source, axis_names, axis_numbers);
+  if (is_lathe) read_lathe(s, source, axis_names);
   read_spindles(s, source);
   read_interpretation(s, source);
   read_machine(s, source);

@@ -41,8 +41,32 @@ struct SpindleSettings {
   int closing_code = 0;                 // N0823: M code that closes the position loop of the spindle
 };
 
+/// The settings of a lathe (spec/fanuc-t 13). Lengths are in mm; those along X are radii.
+struct LatheSettings {
+  bool is_lathe = false;
+  bool offset_one_digit = false;   // 5002#0 LD1: the last digit alone of T is the offset number
+  bool geometry_by_tool = false;   // 5002#1 LGN: the geometry offset has the number of the tool, not of the offset
+  bool wear_shifts = false;        // 5002#2 LWT: the wear shifts the work system; false: the axes move by it
+  bool geometry_moves = false;     // 5002#4 LGT: the axes move by the geometry; false: it shifts the work system
+  bool wear_waits = false;         // 5002#6 LWM: the axes move by the wear with the next motion, not in the block of T
+  bool offsets_are_radii = false;  // 5004#1 ORC: the offsets of X that a program reads and writes are radii, not diameters
+  bool pecks_to_level = false;     // 5101#2 RTR: between the pecks of G83 and G87 the tool returns to R
+  bool level_is_diameter = false;  // 5102#7 RDI: R of drilling along X is a diameter
+  bool no_last_pass = false;       // 5105#1 RF1: G71 and G72 leave out the pass along the figure (type I)
+  bool no_last_pass_two = false;   // 5105#2 RF2: the same for type II
+  bool feed_per_minute = false;    // 3402#4 FPM: the feed per minute is in force at power-on
+  int clamp_code = 0;              // 5110: M code that clamps the C axis for drilling; 0: none
+  double release_dwell = 0;        // 5111: dwell after the C axis is released, s
+  double clearance = 0;            // 5134: clearance before a pocket of G71 and G72
+  double run_out = 0;              // 5130: length of a thread's run-out, in leads
+  double run_out_angle = 45;       // 5131: angle of the run-out to the axis of the thread, degrees
+  // 5145, 5146: lengths by which a figure may turn back along the passes and in depth
+  double tolerance_first = 0, tolerance_second = 0;
+};
+
 /// The settings of axes, spindles, canned cycles and five-axis functions.
 struct Settings {
+  LatheSettings lathe;
   std::array<AxisSettings, max_axes> axes;                 // settings of each axis, by index of the axis in the channel
   std::array<SpindleSettings, max_spindles + 1> spindles;  // settings of each spindle, by spindle number
   // interpretation
@@ -130,8 +154,8 @@ struct Settings {
 };
 
 /// Reads all settings. `axis_numbers`: numbers of the channel's axes; the numbering includes the axes of all channels. `axis_names` (X, Y,
-/// Z, …) determine the role of an axis for which N0103 gives none.
+/// Z, …) determine the role of an axis for which N0103 gives none. `is_lathe`: the control reads lathe programs (spec/fanuc-t).
 Settings read_settings(const macro_b::ParameterSource& source, const std::vector<std::string>& axis_names,
-                       const std::array<std::uint8_t, max_axes>& axis_numbers);
+                       const std::array<std::uint8_t, max_axes>& axis_numbers, bool is_lathe);
 
 }  // namespace kadr::fanuc

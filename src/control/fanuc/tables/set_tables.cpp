@@ -5,6 +5,7 @@
 
 #include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/lathe/lathe.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/fanuc/words/data_lines.h"
 
@@ -116,7 +117,10 @@ Status open_data(BlockContext& m, const Call& call, std::uint32_t l) {
 
 }  // namespace
 
+Status set_work_shift(Emitter& m, const Call& call) { return set_zero(m, call, 0, true); }
+
 Status set_tables(Emitter& m, const Call& call) {
+  if (!m.has('L') && m.def.behaviour.lathe != Lathe::none) return set_turret_offset(m, call);
   if (!m.has('L')) return fail(alarm(AlarmId::word_missing, call.where, 'L', call.row->code));
   macro_b_of(m).endless.note_change();
   const auto l = m.whole('L', 1, 999);

@@ -107,6 +107,12 @@ double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
 double register_unit(const BlockContext& m, VariableKind kind) {
   if (kind == VariableKind::offset_tip) return 1;
   const bool radius = kind == VariableKind::offset_radius || kind == VariableKind::offset_radius_wear;
+  const LatheSettings& lathe = fanuc_of(m).settings.lathe;
+  // On a lathe the table holds radii, and the program reads and writes offsets of X as diameters (spec/fanuc-t 3.1, 4.4)
+  const bool along_x = kind == VariableKind::offset_x || kind == VariableKind::offset_x_wear;
+  const int x = main_axis(m, 1);
+  if (lathe.is_lathe && along_x && !lathe.offsets_are_radii && x >= 0 && is_diameter(m, static_cast<std::size_t>(x)))
+    return (m.modal.inch ? mm_per_inch : 1) * 0.5;
   return (m.modal.inch ? mm_per_inch : 1) * (radius && fanuc_of(m).settings.offsets_are_diameters ? 0.5 : 1);
 }
 

@@ -8,6 +8,8 @@
 #include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/lathe/lathe.h"
+#include "control/fanuc/lathe/lathe_words.h"
 #include "control/fanuc/turning/turning_contour.h"
 #include "control/fanuc/turning/turning_plane.h"
 #include "control/functions/functions.h"
@@ -143,7 +145,8 @@ Status second_line(Interpreter& m, const Call& call) {
 
 Status possible(const BlockContext& m, const Call& call) {
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
-  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  const bool lathe = m.def.behaviour.lathe != Lathe::none;
+  if (m.modal.radius_side != 0 && !lathe) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   return {};
 }
 
@@ -160,7 +163,9 @@ Status take_simple(BlockContext& m, const Call& call) {
     if (!memory.known[i]) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, i), call.row->code));
   }
   if (m.has('R')) memory.taper = m.length_value('R');
-  if (m.has('Q')) memory.start_angle = m.value('Q');
+  const bool lathe = m.def.behaviour.lathe != Lathe::none;
+  if (lathe) memory.start_angle = start_angle_of(m);  // Q acts in its block only (spec/fanuc-t 8.4)
+  else if (m.has('Q')) memory.start_angle = m.value('Q');
   return {};
 }
 
@@ -177,13 +182,17 @@ Status cut_once(Emitter& m, const Call& call) {
   return go(m, MotionKind::rapid, s);
 }
 
-/// G78.7: cuts one pass of a thread. The manual does not give the length of the run-out. INFERRED: there is no run-out.
+/// G78.7, and G92 of lathes: cuts one pass of a thread. On a lathe, parameters 5130 and 5131 give the run-out (spec/fanuc-t 8.4). The NCT
+/// manual does not give its length. INFERRED: there is no run-out.
 Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& memory = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
   const Vec2 s = plane_point(m), t{memory.target[0], memory.target[1]};
-  return thread_pass(m, {{s.x, t.y + memory.taper}, t, s, *lead, memory.start_angle, 0});
+  const LatheSettings& lathe = fanuc_of(m).settings.lathe;
+  const SinCos out = sincos_deg(lathe.run_out_angle);
+  leave_contour(m);
+  return thread_pass(m, {{s.x, t.y + memory.taper}, t, s, *lead, memory.start_angle, lathe.run_out * *lead, out.sin / out.cos});
 }
 
 /// G70.7: executes the blocks of the contour as they are programmed (19.A 6).
@@ -238,6 +247,7 @@ namespace kadr::functions {
 
 /// Executes G70.7 … G76.7 (19.2). call.row->arg is the code in tenths, such as 707 for G70.7.
 Status turning_cycle(Interpreter& m, const Call& call) {
+  if (m.def.behaviour.lathe != Lathe::none) return fanuc::turned_cycle(m, call);
   KADR_TRY(fanuc::possible(m, call));
   if (fanuc::is_first_line(m, call.row->arg)) return fanuc::first_line(m, call);
   macro_b_of(m).moved = true;

@@ -11,6 +11,7 @@
 #include "action/action.h"
 #include "base/result.h"
 #include "base/vec.h"
+#include "control/fanuc/state/cycle_memory.h"
 
 namespace kadr {
 class BlockContext;
@@ -37,6 +38,39 @@ Status pattern(Interpreter& m, const Call& call, Vec2 allowance);
 Status groove(Emitter& m, const Call& call);
 Status compound_thread(Emitter& m, const Call& call);
 
+/// The data of a pecking cycle. In each point, x is the programmed coordinate in mm along the pecks, and y that along which the pecking
+/// positions follow one another.
+struct GrooveJob {
+  bool deep_first = true;  // true (G74): the pecks are along the first axis of the plane; false (G75): along the second axis
+  Vec2 start;              // start point of the grooving cycle: x along the pecks, y across the pecks
+  Vec2 target;
+  double peck = 0, step = 0;
+  double back = 0;  // length of the retract after each peck
+  // displacement across the pecks, mm, by which the tool leaves the wall before it leaves the groove; its sign is that of the coordinate
+  double relief = 0;
+};
+/// Checks the numbers of pecks and positions and starts the cycle. `peck`, `step`: the letters of their words, for alarms.
+///   alarms  value_out_of_range
+Status start_groove(Emitter& m, const GrooveJob& job, char peck, char step);
+
+/// The data of a compound threading cycle, mm. The depth of pass n is first·√n.
+struct ThreadJob {
+  Vec2 start, target;  // points of the plane: start of the cycle, and end of the thread at its root
+  double taper = 0;    // difference between start and end of the thread along the second axis, mm
+  double height = 0;   // height of the thread from root to crest, mm
+  double first = 0;    // depth of the first pass (Δ1), mm
+  double lead = 0;     // thread lead, mm
+  double chamfer = 0;  // length of the run-out, mm
+  double rise = 1;     // tangent of the run-out's angle
+  // the start of a pass is moved along the first axis so that one flank cuts: true: in the direction of the cut, false: against it
+  bool flank_forward = false;
+  bool zigzag = false;  // every second pass is moved to the other side, so that the flanks cut in turn
+  bool even = false;    // the depth of pass n is first·n
+  TurningMemory data;
+};
+/// Checks the number of passes and starts the cycle. alarms value_out_of_range
+Status start_thread(Emitter& m, const ThreadJob& job);
+
 /// One pass of a thread. The tool moves at rapid from `start` to `from`, cuts along the thread to `to`, retracts from the thread, and
 /// returns to `start`.
 struct ThreadPass {
@@ -44,7 +78,8 @@ struct ThreadPass {
   Vec2 start;          // point at which the tool starts the thread pass and to which it returns
   double lead = 0;     // thread lead, mm
   double angle = 0;    // spindle angle at the start of the thread, degrees
-  double chamfer = 0;  // length in mm, along the thread's axis, of the run-out at 45° at the end of the thread
+  double chamfer = 0;  // length in mm, along the thread's axis, of the run-out at the end of the thread
+  double rise = 1;     // tangent of the angle between the run-out and the thread's axis
 };
 Status thread_pass(Emitter& m, const ThreadPass& pass);
 /// Returns the thread lead in mm, which F or E gives; without these words, the last thread lead. alarms thread_definition, not_together

@@ -17,16 +17,7 @@ constexpr double max_steps = 1e6;
 
 class GrooveRun final : public SteppedCycleValue<GrooveRun> {
  public:
-  /// The data of a cycle. In each point, x is the programmed coordinate in mm along the pecks, and y that along which the pecking positions
-  /// follow one another.
-  struct Job {
-    bool deep_first = true;  // true (G74.7): the pecks are along the first axis of the plane; false (G75.7): along the second axis
-    Vec2 start;              // start point of the grooving cycle: x along the pecks, y across the pecks
-    Vec2 target;
-    double peck = 0, step = 0;
-    double back = 0, relief = 0;
-  };
-  explicit GrooveRun(const Job& job) : job_(job), depth_(job.start.x), place_(job.start.y) {}
+  explicit GrooveRun(const GrooveJob& job) : job_(job), depth_(job.start.x), place_(job.start.y) {}
 
   Result<bool> next(Emitter& m) override {
     if (over_) return false;
@@ -48,9 +39,8 @@ class GrooveRun final : public SteppedCycleValue<GrooveRun> {
 
   /// Moves the tool off the wall, out of the groove and to the next position; after the last position, back to the start point.
   Status leave(Emitter& m) {
-    const double off = job_.target.y < job_.start.y ? job_.relief : -job_.relief;
-    KADR_TRY(to(m, MotionKind::rapid, {depth_, place_ + off}));
-    KADR_TRY(to(m, MotionKind::rapid, {job_.start.x, place_ + off}));
+    KADR_TRY(to(m, MotionKind::rapid, {depth_, place_ + job_.relief}));
+    KADR_TRY(to(m, MotionKind::rapid, {job_.start.x, place_ + job_.relief}));
     over_ = place_ == job_.target.y;
     place_ = over_ ? job_.start.y : toward(place_, job_.target.y, job_.step);
     depth_ = job_.start.x;
@@ -59,7 +49,7 @@ class GrooveRun final : public SteppedCycleValue<GrooveRun> {
     return {};
   }
 
-  Job job_;
+  GrooveJob job_;
   double depth_, place_;
   bool over_ = false;
 };
@@ -74,7 +64,7 @@ Result<double> distance(const Emitter& m, const Call& call, char letter) {
 }  // namespace
 
 Status groove(Emitter& m, const Call& call) {
-  GrooveRun::Job job;
+  GrooveJob job;
   job.deep_first = call.row->arg == 74.7_g;
   const std::size_t deep = job.deep_first ? 0 : 1;
   const auto target = plane_target(m);
@@ -96,10 +86,14 @@ Status groove(Emitter& m, const Call& call) {
   }
   if (m.has('R') && !(m.value('R') >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('R'), 'R', m.value('R')));
   // INFERRED: in a single groove the tool has no free side, so R has no effect
-  if (job.target.y != job.start.y) job.relief = m.length_value('R');
+  if (job.target.y != job.start.y) job.relief = (job.target.y < job.start.y ? 1 : -1) * m.length_value('R');
   job.back = fanuc_of(m).state.turning.groove_back;
   KADR_TRY(m.feed_known(call.where));
-  if (std::fabs(job.target.x - job.start.x) / job.peck > max_steps)
+  return start_groove(m, job, peck, step);
+}
+
+Status start_groove(Emitter& m, const GrooveJob& job, char peck, char step) {
+  if (job.peck > 0 && std::fabs(job.target.x - job.start.x) / job.peck > max_steps)
     return fail(alarm(AlarmId::value_out_of_range, m.where(peck), peck, m.value(peck)));
   if (job.step > 0 && std::fabs(job.target.y - job.start.y) / job.step > max_steps)
     return fail(alarm(AlarmId::value_out_of_range, m.where(step), step, m.value(step)));

@@ -43,7 +43,8 @@ Result<PlaneTarget> plane_target(BlockContext& m) {
     const Word& w = m.block->words[i];
     if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
     const std::size_t which = place_in_plane(m, w);
-    if (which > 1) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
+    const bool lathe = m.def.behaviour.lathe != Lathe::none;
+    if (which > 1) return fail(alarm(lathe ? AlarmId::turning_axis : AlarmId::illegal_address, w.where, w.written));
     target.given[which] = true;
   }
   Axes to;

@@ -33,23 +33,14 @@ Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
 /// When the depth reaches the thread's height less the finishing allowance, the finishing passes follow.
 class ThreadRun final : public SteppedCycleValue<ThreadRun> {
  public:
-  struct Job {
-    Vec2 start, target;  // points of the plane: start of the cycle, and end of the thread at its root
-    double taper = 0;    // difference between start and end of the thread along the second axis, mm
-    double height = 0;   // height of the thread from root to crest, mm
-    double first = 0;    // depth of the first pass (Δ1), mm
-    double lead = 0;     // thread lead, mm
-    double chamfer = 0;  // length of the run-out, mm
-    TurningMemory data;
-  };
-  explicit ThreadRun(const Job& job) : job_(job) {}
+  explicit ThreadRun(const ThreadJob& job) : job_(job) {}
 
   Result<bool> next(Emitter& m) override {
     if (finishing_ == job_.data.finishing) return false;
     const double rough = job_.height - job_.data.allowance;
     if (depth_ < rough - tol::level) {
       ++pass_;
-      depth_ = std::min(rough, std::max(job_.first * std::sqrt(pass_), depth_ + job_.data.least));
+      depth_ = std::min(rough, std::max(job_.first * (job_.even ? pass_ : std::sqrt(pass_)), depth_ + job_.data.least));
     } else {
       depth_ = job_.height;
       ++finishing_;
@@ -60,22 +51,23 @@ class ThreadRun final : public SteppedCycleValue<ThreadRun> {
   }
 
  private:
-  /// Returns a pass at the depth `depth_` below the crest. The start point of the pass is moved back along the first axis, so that only one
+  /// Returns a pass at the depth `depth_` below the crest. The start point of the pass is moved along the first axis, so that only one
   /// flank cuts.
   ThreadPass pass() const {
     const Vec2& s = job_.start;
     const Vec2& t = job_.target;
     const double away = s.y < t.y ? -1 : 1;
     const double back = s.x < t.x ? -1 : 1;
+    const bool turned = job_.zigzag && static_cast<std::uint64_t>(pass_) % 2 == 0;
     const double level = t.y + away * (job_.height - depth_);
     const SinCos half = sincos_deg(job_.data.tool_angle / 2);
-    const double shift = depth_ * half.sin / half.cos;
+    const double shift = (job_.flank_forward != turned ? -1 : 1) * depth_ * half.sin / half.cos;
     const double thread_length = std::fabs(s.x - t.x);
     const double taper = job_.taper * (thread_length + shift) / thread_length;
-    return {{s.x + back * shift, level + taper}, {t.x, level}, s, job_.lead, 0, job_.chamfer};
+    return {{s.x + back * shift, level + taper}, {t.x, level}, s, job_.lead, 0, job_.chamfer, job_.rise};
   }
 
-  Job job_;
+  ThreadJob job_;
   double pass_ = 0;
   double depth_ = 0;
   std::uint32_t finishing_ = 0;
@@ -91,7 +83,7 @@ Status thread_pass(Emitter& m, const ThreadPass& pass) {
   if (out > tol::level) {
     const Vec2 begin = pass.from + (1 - out / std::fabs(delta.x)) * delta;
     const double away = pass.start.y < begin.y ? -1 : 1;
-    out = std::min(out, std::fabs(pass.start.y - begin.y));
+    out = std::min(out * pass.rise, std::fabs(pass.start.y - begin.y));
     KADR_TRY(cut_thread(m, begin, pass.lead, pass.angle));
     KADR_TRY(cut_thread(m, {pass.to.x, begin.y + away * out}, pass.lead, pass.angle));
   } else {
@@ -102,7 +94,9 @@ Status thread_pass(Emitter& m, const ThreadPass& pass) {
 }
 
 Result<double> thread_lead_of(BlockContext& m, const Call& call) {
-  if (m.modal.surface_speed) return fail(alarm(AlarmId::not_together, call.where, "G96", call.row->code));
+  // On a lathe the constant surface speed during a thread is left to the program (spec/fanuc-t 6)
+  const bool lathe = m.def.behaviour.lathe != Lathe::none;
+  if (m.modal.surface_speed && !lathe) return fail(alarm(AlarmId::not_together, call.where, "G96", call.row->code));
   if (m.has('F') && m.has('E')) return fail(alarm(AlarmId::thread_definition, call.where));
   for (const char letter : {'F', 'E'})
     if (m.has(letter) && !(m.value(letter) > 0)) return fail(alarm(AlarmId::thread_definition, m.where(letter)));
@@ -113,8 +107,7 @@ Result<double> thread_lead_of(BlockContext& m, const Call& call) {
 
 /// Executes the second block of G76.7, G76.7 X_ Z_ R_ P_ Q_ F_, which starts the thread passes.
 Status compound_thread(Emitter& m, const Call& call) {
-  constexpr double max_passes = 1e6;
-  ThreadRun::Job job;
+  ThreadJob job;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());
   for (std::size_t i = 0; i < 2; ++i)
@@ -133,9 +126,15 @@ Status compound_thread(Emitter& m, const Call& call) {
   job.first = m.length_value('Q');
   job.lead = *lead;
   job.chamfer = job.data.chamfer * *lead;
-  const double rough = job.height - job.data.allowance;
-  if (rough < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', m.value('P')));
-  if (std::pow(rough / job.first, 2) > max_passes) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', m.value('Q')));
+  if (job.height - job.data.allowance < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', m.value('P')));
+  return start_thread(m, job);
+}
+
+Status start_thread(Emitter& m, const ThreadJob& job) {
+  constexpr double max_passes = 1e6;
+  const char first = m.has('Q') ? 'Q' : 'D';
+  if (std::pow((job.height - job.data.allowance) / job.first, job.even ? 1 : 2) > max_passes)
+    return fail(alarm(AlarmId::value_out_of_range, m.where(first), first, m.value(first)));
   if (std::fabs(job.start.x - job.target.x) <= tol::level) {
     const char letter = letter_of(m, 0);
     return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));

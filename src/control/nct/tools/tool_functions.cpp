@@ -1,5 +1,6 @@
 // Executes T and M6, and reads the data lines of tools between G10 and G11 (spec/nct/12).
 
+#include "control/fanuc/lathe/lathe.h"
 #include "control/functions/functions.h"
 #include "control/nct/nct.h"
 
@@ -27,6 +28,7 @@ namespace functions {
 
 /// T: finds the tool and prepares it. On a machine that changes tools on T, the tool is changed too (12.1, 12.2).
 Status tool_call(Emitter& m, const Call& call) {
+  if (m.def.behaviour.lathe != Lathe::none) return fanuc::turret(m, call);
   nct::Nct& nct = nct_of(m);
   const auto number = m.whole('T', 0, 99'999'999);
   if (!number) return fail(number.error());

@@ -1,0 +1,47 @@
+#pragma once
+// What lathes have besides the functions of mills (spec/fanuc-t, spec/haas-st): T with geometry and wear, tables of turning tools, drilling
+// on the face and on the side, and the turning cycles G70 to G76 in two blocks or in one block. Lengths along X are radii.
+
+#include <cstdint>
+#include <optional>
+
+#include "base/result.h"
+#include "base/span.h"
+#include "base/vec.h"
+
+namespace kadr {
+class BlockContext;
+class Emitter;
+class Interpreter;
+struct Call;
+}  // namespace kadr
+
+namespace kadr::fanuc {
+
+class Fanuc;
+
+/// Sets the data of the turning cycles to the values of the parameters, in which the control stores them (spec/fanuc-t 9.1, 13).
+void start_turning_memory(Fanuc& fanuc);
+
+/// Executes T: the turret turns to the tool, and the offset takes effect (spec/fanuc-t 4.1).
+///   alarms  turret_number; offset_number_large (PS0030)
+Status turret(Emitter& m, const Call& call);
+/// Executes G10 without L: sets the tool offsets (spec/fanuc-t 4.3). alarms table_kind_unknown (PS0031), word_missing
+Status set_turret_offset(Emitter& m, const Call& call);
+
+/// Executes G83 to G85 on the face and G87 to G89 on the side (spec/fanuc-t 10).
+Status turned_drilling(Emitter& m, const Call& call);
+
+/// Executes a block with G70 … G76 (spec/fanuc-t 9). call.row->arg is 707 for G70 … 767 for G76.
+Status turned_cycle(Interpreter& m, const Call& call);
+
+/// Executes the second block of a cycle, or its only block: lathe_finish() of G70, lathe_rough() of G71 and G72, lathe_pattern() of G73
+/// (spec/fanuc-t 9.2 to 9.6).
+Status lathe_finish(Interpreter& m, const Call& call);
+Status lathe_rough(Interpreter& m, const Call& call);
+Status lathe_pattern(Interpreter& m, const Call& call);
+/// Executes a block with G74 or G75 (9.7, 9.8), and one with G76 (9.9).
+Status lathe_groove(Emitter& m, const Call& call);
+Status lathe_thread(Emitter& m, const Call& call);
+
+}  // namespace kadr::fanuc

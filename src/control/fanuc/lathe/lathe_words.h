@@ -1,0 +1,31 @@
+#pragma once
+// Words of the turning cycles whose numbers count in another way than other words (spec/fanuc-t 1.4, 9.10).
+
+#include "action/action.h"
+#include "base/result.h"
+
+namespace kadr {
+class BlockContext;
+class Emitter;
+}  // namespace kadr
+
+namespace kadr::fanuc {
+
+/// Returns the number of a word as its digits read, even if the reader has already counted it in least increments; 0 without the word.
+double digits_of(const BlockContext& m, char letter);
+/// Returns a length in mm of a word that is written without a decimal point, in least increments: 0.001 mm, in G20 0.0001 in (P, Q, D of
+/// the cycles). A number with a point is a length in the unit in force. Returns 0 without the word.
+double step_of(const BlockContext& m, char letter);
+/// Checks that a word has no decimal point (spec/fanuc-t 1.4). alarms point_not_allowed (PS0007)
+Status no_point(const BlockContext& m, char letter);
+/// Returns the start angle of a thread in degrees: Q without a point counts 0.001° (spec/fanuc-t 8.1).
+double start_angle_of(const BlockContext& m);
+/// Returns the mean lead in mm of a thread to the programmed point `to` whose lead changes by K per revolution (G34, spec/fanuc-t 8.2). The
+/// lead belongs to the axis with the longer travel.
+///   alarms  thread_lead_change (PS0313): the lead becomes 0 or negative
+Result<double> mean_lead(const BlockContext& m, double lead, const Axes& to, AxisMask named);
+/// Moves the tool off the contour before a cycle that nose radius compensation does not act on: G32, G92, G74 to G76, G83 to G89
+/// (spec/fanuc-t 7.4). Does nothing while compensation is off.
+void leave_contour(Emitter& m);
+
+}  // namespace kadr::fanuc
