@@ -59,6 +59,7 @@ struct UndoableState : MotionMemory {
   DrillingMemory drilling;
   TurningMemory turning;
   double tool_radius = 0;                // tool radius in mm of offset D, stored when D was programmed (15.1)
+  std::uint8_t nose = 0;                 // number of the imaginary tip of the offset in force, 0 to 9 (spec/fanuc-t 7.1)
   std::optional<Vec2> direction_vector;  // direction vector I J K of G41, G42, G40
   CompensationCheck compensation_check;  // settings of compensation that the room `path` received last
   FiveAxisState five_axis;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/turning/turning_contour.h"
 #include "control/fanuc/turning/turning_plane.h"
 #include "control/functions/functions.h"
@@ -200,7 +202,7 @@ class FinishingRun final : public SteppedCycleValue<FinishingRun> {
     frame.caller = m.origin;
     frame.modal_calls = macro_b_of(m).state.active_modal_calls;
     KADR_TRY(m.flow.call_at(m.program().reader(), first_, frame, m.block->where));
-    fanuc_of(m).finishing.push_back({m.program().depth(), after_.offset, plane_point(m), m.origin});
+    fanuc_of(m).finishing.push_back({m.program().depth(), after_.offset, plane_point(m), m.origin, m.modal.radius_side != 0});
     return {};
   }
 
@@ -209,11 +211,25 @@ class FinishingRun final : public SteppedCycleValue<FinishingRun> {
   std::uint32_t name_;
 };
 
+/// Ends a contour that is executed in G41 or G42. Its last block ends square to its own end, and the tool is at the programmed start point
+/// after the way back; compensation starts anew with the next motion (spec/fanuc-t 9.11).
+Status leave_side(Emitter& m, Vec2 start) {
+  UndoableState& state = fanuc_of(m).state;
+  const std::int8_t side = std::exchange(m.modal.radius_side, std::int8_t{0});
+  state.side_step = state.compensates ? SideStep::ends : SideStep::none;
+  const Status gone = go(m, MotionKind::rapid, start);
+  if (state.side_step == SideStep::ends) end_side_block(m);  // the last block ended at the start point
+  m.modal.radius_side = side;
+  restart_side(m);
+  return gone;
+}
+
 }  // namespace
 
 Status finish(Interpreter& m, const Call& call) {
   const auto contour = find_contour(m, call);
   if (!contour) return fail(contour.error());
+  restart_side(m);
   m.running = std::make_unique<FinishingRun>(contour->first, contour->contour_end, static_cast<std::uint32_t>(m.value('P')));
   return {};
 }
@@ -228,7 +244,7 @@ Result<bool> end_contour(Interpreter& m) {
   const auto left = m.flow.end_subprogram(m.block->where);
   if (!left) return fail(left.error());
   m.origin = ended.origin;
-  KADR_TRY(go(m, MotionKind::rapid, ended.start));
+  KADR_TRY(ended.in_side ? leave_side(m, ended.start) : go(m, MotionKind::rapid, ended.start));
   return true;
 }
 
