@@ -212,7 +212,7 @@ class FinishingRun final : public SteppedCycleValue<FinishingRun> {
 };
 
 /// Ends a contour that is executed in G41 or G42. Its last block ends square to its own end, and the tool is at the programmed start point
-/// after the way back; compensation starts anew with the next motion (spec/fanuc-t 9.11).
+/// after the way back; compensation starts again with the next motion (spec/fanuc-t 9.11).
 Status leave_side(Emitter& m, Vec2 start) {
   UndoableState& state = fanuc_of(m).state;
   const std::int8_t side = std::exchange(m.modal.radius_side, std::int8_t{0});
