@@ -131,6 +131,7 @@ Status first_line(BlockContext& m, const Call& call) {
 }
 
 Status second_line(Interpreter& m, const Call& call) {
+  suspend_side(m);
   switch (call.row->arg) {
     case 74.7_g:
     case 75.7_g: return groove(m, call);
@@ -143,9 +144,11 @@ Status second_line(Interpreter& m, const Call& call) {
   return call.row->arg == 73.7_g ? pattern(m, call, by) : rough(m, call, by);
 }
 
+/// Checks that the modes in force permit a turning cycle. Only a lathe has cycles in G41 and G42 (spec/fanuc-t 7.4).
 Status possible(const BlockContext& m, const Call& call) {
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
-  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  if (m.modal.radius_side != 0 && !fanuc_of(m).settings.approach)
+    return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   return {};
 }
 
@@ -166,17 +169,38 @@ Status take_simple(BlockContext& m, const Call& call) {
   return {};
 }
 
+/// Ends a contour that is executed in G41 or G42, and returns to its start point. The last block ends square to its own end, and the tool
+/// is at the programmed start point after the way back; compensation starts again with the next motion (spec/fanuc-t 9.11).
+Status leave_side(Emitter& m, Vec2 start) {
+  UndoableState& state = fanuc_of(m).state;
+  const std::int8_t side = std::exchange(m.modal.radius_side, std::int8_t{0});
+  state.side_step = state.compensates ? SideStep::ends : SideStep::none;
+  const Status gone = go(m, MotionKind::rapid, start);
+  if (state.side_step == SideStep::ends) end_side_block(m);  // the last block ended at the start point
+  m.modal.radius_side = side;
+  restart_side(m);
+  return gone;
+}
+
 /// Executes one G77.7 or G79.7 cycle: infeed, cut, retract, and return to the start point. G77.7 cuts along the first axis of the plane,
-/// G79.7 along the second.
+/// G79.7 along the second. In G41 or G42, whichever of the two it is, the tool is inside the four motions; it is at the programmed point at
+/// their start and end (spec/fanuc-t 7.4).
 Status cut_once(Emitter& m, const Call& call) {
   const TurningMemory& memory = fanuc_of(m).state.turning;
   const Vec2 s = plane_point(m), t{memory.target[0], memory.target[1]};
   const bool along_first = call.row->arg == 77.7_g;
+  const Vec2 a = along_first ? Vec2{s.x, t.y + memory.taper} : Vec2{t.x + memory.taper, s.y};
   KADR_TRY(m.feed_known(call.where));
-  KADR_TRY(go(m, MotionKind::rapid, along_first ? Vec2{s.x, t.y + memory.taper} : Vec2{t.x + memory.taper, s.y}));
+  const std::int8_t side = m.modal.radius_side;
+  restart_side(m);
+  if (side != 0) m.modal.radius_side = cross(a - s, t - s) > 0 ? std::int8_t{-1} : std::int8_t{1};
+  KADR_TRY(go(m, MotionKind::rapid, a));
   KADR_TRY(go(m, MotionKind::feed, t));
   KADR_TRY(go(m, MotionKind::feed, along_first ? Vec2{t.x, s.y} : Vec2{s.x, t.y}));
-  return go(m, MotionKind::rapid, s);
+  if (side == 0) return go(m, MotionKind::rapid, s);
+  KADR_TRY(leave_side(m, s));
+  m.modal.radius_side = side;
+  return {};
 }
 
 /// G78.7: cuts one pass of a thread. The manual does not give the length of the run-out. INFERRED: there is no run-out.
@@ -184,6 +208,7 @@ Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& memory = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
+  suspend_side(m);
   const Vec2 s = plane_point(m), t{memory.target[0], memory.target[1]};
   return thread_pass(m, {{s.x, t.y + memory.taper}, t, s, *lead, memory.start_angle, 0});
 }
@@ -210,19 +235,6 @@ class FinishingRun final : public SteppedCycleValue<FinishingRun> {
   Position first_, after_;
   std::uint32_t name_;
 };
-
-/// Ends a contour that is executed in G41 or G42. Its last block ends square to its own end, and the tool is at the programmed start point
-/// after the way back; compensation starts again with the next motion (spec/fanuc-t 9.11).
-Status leave_side(Emitter& m, Vec2 start) {
-  UndoableState& state = fanuc_of(m).state;
-  const std::int8_t side = std::exchange(m.modal.radius_side, std::int8_t{0});
-  state.side_step = state.compensates ? SideStep::ends : SideStep::none;
-  const Status gone = go(m, MotionKind::rapid, start);
-  if (state.side_step == SideStep::ends) end_side_block(m);  // the last block ended at the start point
-  m.modal.radius_side = side;
-  restart_side(m);
-  return gone;
-}
 
 }  // namespace
 
