@@ -96,8 +96,11 @@ class Reader {
     }
     if (run_.actions.empty()) return shape();
     contour.uncompensated = uncompensated_;
+    const Motion first = std::get<Motion>(run_.actions[0].what);
     KADR_TRY(corners());
     take_pieces(contour.pieces);
+    const ContourPiece& resolved = contour.pieces.front();
+    contour.entry = (first.side_step == SideStep::begins ? in_plane(first.to) : resolved.to) - resolved.from;
     return {};
   }
 
@@ -130,12 +133,13 @@ class Reader {
     return fault ? unread(*fault) : Status();
   }
 
+  Vec2 in_plane(const Axes& axes) const { return {axes[m_.modal.axes.first], axes[m_.modal.axes.second]}; }
+
   void take_pieces(std::vector<ContourPiece>& pieces) const {
-    const PlaneAxes& plane = m_.modal.axes;
-    Vec2 at{start_[plane.first], start_[plane.second]};
+    Vec2 at = in_plane(start_);
     for (const Action& action : run_.actions) {
       const auto& motion = std::get<Motion>(action.what);
-      const Vec2 to{motion.to[plane.first], motion.to[plane.second]};
+      const Vec2 to = in_plane(motion.to);
       pieces.push_back({motion.kind, at, to, motion.center, motion.turns, action.origin.block});
       at = to;
     }
