@@ -57,6 +57,9 @@ enum class CompensationApproach : std::uint8_t {
   by_corner,  // the point from which the tool passes the corner to the next motion (nct 15.5.1)
   normal,     // a point on the normal to the next path element, through the programmed point (2С42 6.4.7)
   tangent,    // a point such that the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
+  // the point of `normal`; all other rules are those of `by_corner`, except that the last compensated motion ends on the normal to its own
+  // end (type A, fanuc-t 7.3)
+  square,
 };
 
 /// An axis that copies the travel of another axis, its master (nct 20.2).
@@ -180,8 +183,8 @@ struct MotionCompensation {
   double tool_radius = 0;           // radius of the tool at the end of the motion, mm
   std::uint16_t radius_offset = 0;  // row of the offset table that gives the radius while compensation is on; 0: no row
   std::int8_t side = 0;             // +1: the tool is left of the path, -1: right, 0: no compensation
-  // Orientation of a turning tool whose tip follows the path (spec/linuxcnc 9). With 0 or 9, the centre of the tool's nose follows the
-  // path.
+  // Number of the imaginary tip of a turning tool (spec/fanuc-t 7.1). The motion is the path of this tip. With 0 or 9, it is the path of
+  // the nose centre (path/compensation/nose_tip.h).
   std::uint8_t nose = 0;
   SideStep side_step = SideStep::none;
   CornerJoin join_corner = CornerJoin::extended;  // shape of the corner between this motion and the next motion

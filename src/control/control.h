@@ -198,8 +198,9 @@ class Control {
   std::function<void(const StateChanges&)> on_changes;
 
   /// A function of the client that computes the corners of a contour (chamfers, roundings, calculated end points) in the room path, which
-  /// control does not include. The control calls it before it executes a contour that is read ahead (nct 19.A 5). `from`: start of the
-  /// contour, work coordinates.
+  /// control does not include. If the first motion starts cutter compensation (SideStep::begins), the function also replaces the motions by
+  /// the compensated ones, which begin at the uncompensated start and end square to the last motion (fanuc-t 9.11). The control calls it
+  /// before it executes a contour that is read ahead (nct 19.A 5). `from`: start of the contour, work coordinates.
   std::function<std::optional<Alarm>(ActionBatch& contour, const Axes& from)> find_corners;
 
   /// A function of the client that receives every warning, for example that a letter looks like another letter; the control calls it.

@@ -28,9 +28,14 @@ CornerResolver::Follows follows_in(Control::State state) {
 /// True if the control has more batches that can be executed at once.
 bool goes_on(Control::State state) { return state == Control::State::running || state == Control::State::held; }
 
-/// Computes all corners of a contour at once. A control that checks a whole contour before it executes the contour calls this function.
+/// Computes all corners of a contour at once, and its compensated path if its first motion starts compensation (Control::find_corners). A
+/// control that checks a whole contour before it executes the contour calls this function.
 std::optional<Alarm> corners_of(ActionBatch& contour, const Axes& from) {
-  const auto fault = CornerResolver(ToolPosition{from, from, nullptr}).take(contour, CornerResolver::Follows::nothing);
+  const ToolPosition start{from, from, nullptr};
+  if (const auto fault = CornerResolver(start).take(contour, CornerResolver::Follows::nothing)) return fault->alarm;
+  const Motion* const first = contour.empty() ? nullptr : motion_of(contour[0]);
+  if (first == nullptr || first->side_step != SideStep::begins) return std::nullopt;
+  const auto fault = RadiusCompensation(start).take(contour, true);
   return fault ? std::optional(fault->alarm) : std::nullopt;
 }
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "control/emitter.h"
 #include "control/functions/cutter_compensation.h"
@@ -17,6 +19,13 @@ constexpr std::uint8_t unknown_nose =
     // Number for a lathe tool whose orientation is not in the table of orientations 0 to 9. The path of such a tool is the path of its nose
     // centre, and its entry motion before an arc differs from that of other tools.
     10;
+
+/// Returns the number of the imaginary tip (Motion::nose) for an orientation of the tool table. LinuxCNC draws the tips with X pointing
+/// down (latheorigin_x and latheorigin_z of its source), so the two numbers differ by a mirror image in X.
+std::uint8_t nose_of(double orientation) {
+  constexpr std::array<std::uint8_t, 10> noses{0, 4, 3, 2, 1, 5, 8, 7, 6, 9};
+  return orientation < 0 || orientation > 9 ? unknown_nose : noses[static_cast<std::size_t>(orientation)];
+}
 
 }  // namespace
 
@@ -51,7 +60,7 @@ Status tool_side(Emitter& m, const Call& call) {
   const bool left = code == 41 || code == 411;
   const double radius = diameter / 2;
   m.modal.radius_by_word = std::fabs(radius);
-  m.modal.nose = orientation < 0 || orientation > 9 ? unknown_nose : static_cast<std::uint8_t>(orientation);
+  m.modal.nose = nose_of(orientation);
   return begin_compensation(m, call, static_cast<std::int8_t>((radius < 0) != left ? -1 : +1));
 }
 

@@ -83,7 +83,7 @@ struct Modal : MotionModal {
   std::uint32_t corrector = 0;  // number of the corrector in force: the last two digits of T0404
   std::uint32_t tool = 0;       // number of the tool in the spindle
   double radius_by_word = -1;   // tool radius in mm that word P of G41 or G42 gives; -1: the offset table gives the radius
-  std::uint8_t nose = 0;        // orientation of a turning tool, used only with radius_by_word (spec/linuxcnc 9)
+  std::uint8_t nose = 0;        // imaginary tip of a turning tool (Motion::nose), used only with radius_by_word
   double blend_tolerance = 0;   // path tolerance in mm that word P of G64 gives
   double rpm = 0;
   double rpm_waiting = -1;     // spindle speed S in rev/min that applies from the next M3 or M4 on (2С42 6.4.3); -1: no speed is waiting

@@ -45,10 +45,9 @@ void RadiusCompensation::release_first() {
   }
   if (first.end.round) now_.round_first = first.motion;  // The motion is copied here, because let_go() moves it out of `first`.
   if (!let_go(first)) return;
-  now_.vector = first.end.first();
   for (Action& action : first.waiting) {
     now_.stand.take(action);
-    if (auto* const m = motion_of(action)) shift(*m, now_.vector);
+    if (auto* const m = motion_of(action)) shift(*m, displacement());
     if (auto* const frame = std::get_if<FrameChange>(&action.what)) shift(*frame);
     out_.add() = std::move(action);
   }
@@ -71,7 +70,7 @@ void RadiusCompensation::go_around_corner(const Held& first) {
   const ContourSpan known = first.regular ? ContourSpan{first.number, first.number + 1} : ContourSpan{};
   for (std::size_t i = 1; i < first.end.count && follows; ++i) {
     watch_step(now_.vector, first.end.at[i], held(1).motion, held(1).origin, known);
-    step(first.end.at[i], held(1).motion, held(1).origin);
+    step(first.end.at[i], now_.tip, held(1).motion, held(1).origin);
   }
   now_.vector = first.end.last();
 }
@@ -95,34 +94,44 @@ RadiusCompensation::RepairOutcome RadiusCompensation::mend_first() {
   return join ? RepairOutcome::sound : RepairOutcome::next_fails;
 }
 
-/// Emits a motion of the window, shifted by its vectors.
+/// Emits a motion of the window, shifted by its vectors, and keeps the vectors at its end.
 ///   returns  false if the function raised an alarm
 bool RadiusCompensation::let_go(Held& held) {
   Motion& m = held.motion;
   const Vec2 end_vector = held.end.first();
+  const Vec2 tip = m.side_step == SideStep::holds ? now_.tip : held.tip;
   const bool of_contour = now_.keeps_vector && m.side_step == SideStep::none && m.tool_radius != 0;
   if (of_contour && !fits(held.element, held.start_vector, end_vector, m.tool_radius, m.side)) {
     fault(alarm(AlarmId::compensation_gouge, {}, m.tool_radius), held.origin);
     return false;
   }
   now_.stand.take(m);
-  if (held.rejoins && is_arc(m.kind)) {
-    if (!rejoin(m, held, end_vector)) {
-      fault(alarm(AlarmId::compensation_turn, {}), held.origin);
-      return false;
-    }
-  } else if (is_arc(m.kind)) {
-    const double turns = compensated_turns(held.element, held.start_vector, end_vector);
-    if (turns * held.element.turns > 0) m.turns = std::fabs(turns);
-    // The interference check is off (NCT 15.5.7, IEN=0), and the tool does not fit into the arc. The arc therefore becomes a line.
-    else m.kind = MotionKind::feed, m.turns = 0;
+  const bool arc = is_arc(m.kind);
+  // If the vector to the tip changes during an arc, the radius of the tip's arc changes with the angle (INFERRED: as with a new tool
+  // radius, NCT 15.5.2). The centre of this arc is that of the arc without the change.
+  const Vec2 arc_vector = end_vector + (tip - now_.tip);
+  if (held.rejoins && arc && !rejoin(m, held, arc_vector)) {
+    fault(alarm(AlarmId::compensation_turn, {}), held.origin);
+    return false;
   }
-  watch_path(held, end_vector);
-  shift(m, end_vector);
+  if (!held.rejoins && arc) turn_to(m, held, arc_vector);
+  if (!arc || arc_vector == end_vector) watch_path(held, end_vector);
+  if (is_arc(m.kind)) m.center = m.center + now_.tip;
+  now_.vector = end_vector;
+  now_.tip = tip;
+  shift(m, displacement());
   Action& action = out_.add();
   action.origin = held.origin;
   motion_in(action) = std::move(m);
   return true;
+}
+
+/// Computes the swept angle of a compensated arc. If the interference check is off (NCT 15.5.7, IEN=0), and the tool does not fit into the
+/// arc, the arc becomes a line.
+void RadiusCompensation::turn_to(Motion& m, const Held& held, Vec2 end_vector) const {
+  const double turns = compensated_turns(held.element, held.start_vector, end_vector);
+  if (turns * held.element.turns > 0) m.turns = std::fabs(turns);
+  else m.kind = MotionKind::feed, m.turns = 0;
 }
 
 /// Handles a change of side without an intersection after an arc: an arc of the programmed radius joins the compensated ends (NCT 15.5.4).
@@ -150,17 +159,22 @@ void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like
   const double turns = (cw ? -swept : swept) / 360;
   const Vec2 point = in_plane(now_.stand.work);
   const std::size_t count_before = out_.size();
-  step(to, like, origin);
+  step(to, now_.tip, like, origin);
   if (out_.size() == count_before || turns == 0) return;
   auto& m = std::get<Motion>(out_.back().what);
   m.kind = cw ? MotionKind::arc_cw : MotionKind::arc_ccw;
-  m.center = point;
+  m.center = point + now_.tip;
   m.turns = turns < 0 ? turns + 1 : turns;
 }
 
-/// Emits a straight motion in the plane to the programmed point plus `vector`.
-void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& origin) {
-  if (length(vector - now_.vector) <= tol::same_point) return;
+/// Emits a straight motion in the plane to the programmed point plus `vector` and `tip`, and keeps these two vectors. If the tool is there
+/// already, no motion is emitted.
+void RadiusCompensation::step(Vec2 vector, Vec2 tip, const Motion& like, const Origin& origin) {
+  const Vec2 travel = vector + tip - displacement();
+  if (length(travel) <= tol::same_point) {
+    if (length(vector - now_.vector) > tol::same_point) now_.vector = vector, now_.tip = tip;
+    return;
+  }
   Action& action = out_.add();
   action.origin = origin;
   Motion& m = motion_in(action) = like;
@@ -171,8 +185,9 @@ void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& ori
   m.exact = m.in_position = false;
   m.to = now_.stand.work;
   m.machine = now_.stand.machine;
-  shift(m, vector);
   now_.vector = vector;
+  now_.tip = tip;
+  shift(m, displacement());
 }
 
 /// Emits an action without changes. The caller must already have shifted motions by the compensation.
@@ -181,12 +196,12 @@ void RadiusCompensation::deliver(Action action) {
   out_.add() = std::move(action);
 }
 
-void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, now_.first, now_.second, vector, now_.at.turn.get()); }
+void RadiusCompensation::shift(Motion& m, Vec2 by) const { shift_in_plane(m, now_.first, now_.second, by, now_.at.turn.get()); }
 
-/// Shifts the coordinates of a new frame. The coordinates of the tool are the programmed coordinates plus the vector.
+/// Shifts the coordinates of a new frame. The coordinates of the tool are the programmed coordinates plus the displacement.
 void RadiusCompensation::shift(FrameChange& frame) const {
-  frame.work[now_.first] += now_.vector.x;
-  frame.work[now_.second] += now_.vector.y;
+  frame.work[now_.first] += displacement().x;
+  frame.work[now_.second] += displacement().y;
 }
 
 /// Decides whether GougeDetector checks the last motion for cuts into the contour. Motions at feed along the contour are checked. Not

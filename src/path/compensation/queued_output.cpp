@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "action/by_kind.h"
+#include "path/compensation/nose_tip.h"
 #include "path/compensation/queued_compensation.h"
 #include "path/curve/plane_shift.h"
 
@@ -19,14 +20,8 @@ constexpr double more_swept_mm = 0.0254;  // How much the swept angle of an arc 
 constexpr double more_swept_inch = 0.001;
 constexpr double no_arc = 1e-9;  // Angle in rad. A smaller swept angle counts as a full circle.
 
-/// The directions from the centre of a turning tool's nose radius to the programmed tip, as (Z, X) (latheorigin_z, latheorigin_x).
-//       +X
-//    3  8  4       each orientation number is drawn at the position of the tip relative to the nose centre (0, 9)
-//    7  9  5 +Z
-//    2  6  1
-constexpr std::size_t orientations = 10;
-constexpr Vec2 tips[orientations] = {{0, 0}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 1}, {0, 0}};
-Vec2 tip_of(const Motion& m) { return m.side == 0 || m.nose >= orientations ? Vec2{} : m.tool_radius * tips[m.nose]; }
+/// Returns the vector from the centre of a turning tool's nose to the programmed tip; zero without compensation.
+Vec2 tip_of(const Motion& m) { return m.side == 0 ? Vec2{} : nose_vector(m.nose, m.tool_radius); }
 
 double plane_distance(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 

@@ -7,6 +7,7 @@
 
 #include "action/by_kind.h"
 #include "action/curve.h"
+#include "path/compensation/nose_tip.h"
 
 namespace kadr {
 namespace {
@@ -122,7 +123,7 @@ void RadiusCompensation::motion(Action& action) {
   if ((m.side == 0 && !ends) || !in_contour(m)) return outside_contour(action);
   now_.first = m.first;
   now_.second = m.second;
-  now_.keeps_vector = m.entry != CompensationApproach::by_corner;
+  now_.keeps_vector = m.entry == CompensationApproach::normal || m.entry == CompensationApproach::tangent;
   const Vec2 delta = in_plane(m.to) - in_plane(now_.at.work);
   if (length(delta) > tol::same_point || is_arc(m.kind)) return contour(action);
   const bool named = (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) != 0;
@@ -140,7 +141,7 @@ void RadiusCompensation::motion(Action& action) {
   } else {
     now_.at.take(m);
     now_.stand.take(m);
-    shift(m, now_.vector);
+    shift(m, displacement());
     out_.add() = std::move(action);
   }
 }
@@ -155,8 +156,8 @@ void RadiusCompensation::outside_contour(Action& action) {
   if (fault_) return;
   now_.at.take(m);
   now_.stand.take(m);
-  if (stays) shift(m, now_.vector);
-  else now_.vector = {};
+  if (stays) shift(m, displacement());
+  else now_.vector = now_.tip = {};
   out_.add() = std::move(action);
 }
 
@@ -184,11 +185,11 @@ void RadiusCompensation::contour(Action& action) {
   } else if (now_.zero) {
     const auto& like = std::get<Motion>(now_.zero->what);
     if (like.side_step == SideStep::none) watch_step(now_.vector, offset, m, now_.zero->origin, {});
-    step(offset, like, now_.zero->origin);
+    step(offset, nose_vector(m.nose, m.tool_radius), like, now_.zero->origin);
     now_.zero.reset();
     start = offset;
   } else if (m.side_step == SideStep::begun) {
-    step(offset, m, action.origin);
+    step(offset, nose_vector(m.nose, m.tool_radius), m, action.origin);
     start = offset;
   }
   if (!fault_) hold(action, element, start);
@@ -203,6 +204,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   if (&now.element != &element) now.element = element;
   now.start_vector = start_vector;
   now.end.count = 0;
+  now.tip = nose_vector(now.motion.nose, now.motion.tool_radius);
   now.rejoins = now.regular = false;
   now_.at.take(now.motion);
   watch_last();
@@ -227,20 +229,21 @@ void RadiusCompensation::corner(Action& action) {
   if (!fault_) round(before.tool_radius * side_normal(1 / length(*direction) * *direction, before.side), action.origin, before);
 }
 
-/// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`. If `vector` is empty, the motion
-/// ends with the vector that is perpendicular to the path at its end.
+/// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`, from the programmed point to the
+/// tool. If `vector` is empty, the motion ends with the tool's centre on the perpendicular to the path at its end.
 void RadiusCompensation::flush(std::optional<Vec2> vector) {
   if (now_.zero) {
     auto& m = std::get<Motion>(now_.zero->what);
     now_.stand.take(m);
-    shift(m, vector.value_or(now_.vector));
+    if (vector) now_.vector = *vector, now_.tip = {};
+    shift(m, displacement());
     out_.add() = std::move(*now_.zero);
     now_.zero.reset();
-    now_.vector = vector.value_or(now_.vector);
   }
   if (now_.count == 0 || fault_) return;
   Held& last = last_held();
   last.end = single(vector.value_or(last.motion.tool_radius * side_normal(last.element.end, last.motion.side)));
+  if (vector) last.tip = {};
   while (!fault_ && now_.count > 0) release_first();
 }
 
@@ -253,22 +256,22 @@ void RadiusCompensation::leave() {
   std::vector<Action> waiting = std::exchange(last_held().waiting, {});
   flush({});
   if (fault_) return;
-  step({}, like, origin);
+  step({}, {}, like, origin);
   end_watch();
   for (Action& action : waiting) deliver(std::move(action));
 }
 
-/// Lets the program continue from the tool's current position. The function adds the vector from the programmed point to the tool's centre
-/// to the programmed point, and ends cutter compensation.
+/// Lets the program continue from the tool's current position. The function adds the vector from the programmed point to the tool to the
+/// programmed point, and ends cutter compensation.
 void RadiusCompensation::stay() {
   flush({});
   if (fault_) return;
   for (ToolPosition* const position : {&now_.at, &now_.stand})
     for (Axes* const axes : {&position->work, &position->machine}) {
-      (*axes)[now_.first] += now_.vector.x;
-      (*axes)[now_.second] += now_.vector.y;
+      (*axes)[now_.first] += displacement().x;
+      (*axes)[now_.second] += displacement().y;
     }
-  now_.vector = {};
+  now_.vector = now_.tip = {};
   end_watch();
 }
 
@@ -319,6 +322,8 @@ std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next
     return meeting(offset_at_end(first, radius, side), offset_at_start(out, radius, side), first.to, radius * side_normal(first.end, side));
   }
   if (m.side_step == SideStep::holds) return single(before.start_vector);
+  if (begins && m.entry == CompensationApproach::square) return single(radius * side_normal(second.start, side));
+  if (ends && next.entry == CompensationApproach::square) return single(radius * side_normal(first.end, side));
   if (begins) return start_up(first, second, radius, side);
   if (ends) return cancel(first, second, radius, side);
   if (next.side == m.side) return junction(first, second, radius, side);

@@ -1,7 +1,8 @@
 #pragma once
 // RadiusCompensation converts programmed actions to actions of the tool's centre (cutter radius compensation). A motion and the actions
 // after it are stored until the next motion in the plane determines the corner between the two motions. The interference check needs more
-// stored motions: NCT 15.5.
+// stored motions: NCT 15.5. The path of a turning tool is the path of its imaginary tip: the path of the nose centre, moved by the vector
+// from this centre to the tip (path/compensation/nose_tip.h; fanuc-t 7.2). All corners and checks are computed for the centre.
 //
 //   programmed ──▶ window: motion k · actions between · motion k+1 … ──▶ junction k/k+1, check ──▶ motion k · actions between · corner
 //
@@ -46,8 +47,8 @@ class RadiusCompensation {
   /// point.
   bool at_work() const { return now_.count > 0 || off_contour(); }
 
-  /// True if the tool is not at the programmed point after the last emitted action.
-  bool off_contour() const { return dot(now_.vector, now_.vector) > tol::same_point * tol::same_point; }
+  /// True if the tool's centre, or the imaginary tip of a turning tool, is not at the programmed point after the last emitted action.
+  bool off_contour() const { return dot(now_.vector, now_.vector) + dot(now_.tip, now_.tip) > tol::same_point * tol::same_point; }
 
   /// Discards the stored motions and actions, because the control does not execute them.
   void drop();
@@ -67,6 +68,8 @@ class RadiusCompensation {
     Vec2 start_vector;
     // Vectors from the programmed end of the motion to the tool's centre. The list is empty if they are unknown or the offsets do not meet.
     JunctionVectors end;
+    // Vector from the tool's centre to the imaginary tip at the end of the motion; zero if the tip is then at the programmed point.
+    Vec2 tip;
     // True if the side changes after an arc without an intersection; an arc of the programmed radius then joins the compensated ends (NCT
     // 15.5.4).
     bool rejoins = false;
@@ -86,6 +89,9 @@ class RadiusCompensation {
     // True on controls that state their own CompensationApproach. On these controls the vector stays until a programmed motion changes it.
     bool keeps_vector = false;
     Vec2 vector;  // vector from the programmed point to the tool's centre after the last emitted action, mm
+    // Vector from the tool's centre to the imaginary tip after the last emitted action, mm. The emitted positions are the programmed
+    // positions plus `vector` and `tip`.
+    Vec2 tip;
     std::array<Held, max_held> window;
     std::size_t head = 0, count = 0;
     Motion round_first;  // the motion before an arc about the programmed point
@@ -127,15 +133,18 @@ class RadiusCompensation {
   bool rejoin(Motion& motion, const Held& held, Vec2 end_vector) const;
   void go_around_corner(const Held& first);
   void round(Vec2 to, const Origin& origin, const Motion& like);
-  void step(Vec2 vector, const Motion& like, const Origin& origin);
+  void step(Vec2 vector, Vec2 tip, const Motion& like, const Origin& origin);
+  void turn_to(Motion& motion, const Held& held, Vec2 end_vector) const;
   void deliver(Action action);
-  void shift(Motion& motion, Vec2 vector) const;
+  void shift(Motion& motion, Vec2 by) const;
   void shift(FrameChange& frame) const;
   void watch_last();
   void watch_path(const Held& held, Vec2 end_vector);
   void watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin, ContourSpan known);
   void end_watch();
 
+  /// The vector from the programmed point to the emitted point.
+  Vec2 displacement() const { return now_.vector + now_.tip; }
   Vec2 in_plane(const Axes& axes) const { return {axes[now_.first], axes[now_.second]}; }
   void fault(const Alarm& alarm, const Origin& origin) { fault_ = CompensationFault{alarm, origin}; }
 

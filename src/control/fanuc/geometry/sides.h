@@ -26,6 +26,12 @@ bool only_shifts_length(const BlockContext& m);
 /// Completes a block with G41, G42 or G40 that has no motion in the plane. After G41 or G42, compensation starts with the next motion;
 /// after G40, compensation has ended at the present position.
 void end_side_block(Emitter& m);
+/// Begins a turning cycle. With G41 or G42 in force, the tool is then at its programmed point, and compensation starts again with the next
+/// compensated motion (spec/fanuc-t 9.11). Otherwise nothing changes.
+void restart_side(Emitter& m);
+/// The same for a cycle whose own motions are not compensated: threads, pecks, and passes along a figure that is compensated already
+/// (spec/fanuc-t 7.4, 9.11).
+void suspend_side(Emitter& m);
 /// Returns the words I, J, K of the plane as a direction, mirrored and rotated like the contour (15.5.1, 15.5.6); nullopt if the block has
 /// none of these words.
 std::optional<Vec2> plane_direction(const BlockContext& m);

@@ -65,13 +65,6 @@ Result<double> mean_lead(const BlockContext& m, double lead, const Axes& to, Axi
   return (lead + std::sqrt(end_square)) / 2;
 }
 
-void leave_contour(Emitter& m) {
-  Fanuc& fanuc = fanuc_of(m);
-  if (!fanuc.state.compensates) return;
-  m.emit(CompensationBreak{});
-  fanuc.uncompensated = true;
-}
-
 Status turned_cycle(Interpreter& m, const Call& call) {
   macro_b_of(m).moved = true;
   switch (call.row->arg) {

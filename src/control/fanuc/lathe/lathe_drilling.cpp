@@ -6,6 +6,7 @@
 #include "control/fanuc/drilling/drilling.h"
 #include "control/fanuc/drilling/drilling_run.h"
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/lathe/lathe.h"
 #include "control/fanuc/lathe/lathe_words.h"
 #include "control/fanuc/words/coordinates.h"
@@ -128,7 +129,7 @@ Status turned_drilling(Emitter& m, const Call& call) {
     job->release_code = static_cast<std::uint32_t>(clamp) + 1;
     job->release_dwell = fanuc.settings.lathe.release_dwell;
   }
-  leave_contour(m);
+  suspend_side(m);
   KADR_TRY(over_hole(m, memory.axis));
   KADR_TRY(m.feed_known(call.where));
   macro_b_of(m).moved = true;

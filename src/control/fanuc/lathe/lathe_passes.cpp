@@ -7,6 +7,7 @@
 #include "base/tolerance.h"
 #include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/lathe/lathe.h"
 #include "control/fanuc/lathe/lathe_words.h"
 #include "control/fanuc/turning/turning.h"
@@ -111,7 +112,7 @@ Status lathe_groove(Emitter& m, const Call& call) {
   job.relief = single ? words->relief : job.target.y < job.start.y ? words->relief : -words->relief;
   job.back = memory.groove_back;
   KADR_TRY(m.feed_known(call.where));
-  leave_contour(m);
+  suspend_side(m);
   return start_groove(m, job, job.deep_first ? 'Q' : 'P', job.deep_first ? 'P' : 'Q');
 }
 
@@ -136,7 +137,7 @@ Status lathe_thread(Emitter& m, const Call& call) {
   const SinCos out = sincos_deg(fanuc_of(m).settings.lathe.run_out_angle);
   job.rise = out.sin / out.cos;
   job.flank_forward = true;
-  leave_contour(m);
+  suspend_side(m);
   return start_thread(m, job);
 }
 

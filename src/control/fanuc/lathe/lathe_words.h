@@ -24,8 +24,5 @@ double start_angle_of(const BlockContext& m);
 /// lead belongs to the axis with the longer travel.
 ///   alarms  thread_lead_change (PS0313): the lead becomes 0 or negative
 Result<double> mean_lead(const BlockContext& m, double lead, const Axes& to, AxisMask named);
-/// Moves the tool off the contour before a cycle that nose radius compensation does not act on: G32, G92, G74 to G76, G83 to G89
-/// (spec/fanuc-t 7.4). Does nothing while compensation is off.
-void leave_contour(Emitter& m);
 
 }  // namespace kadr::fanuc

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/lathe/lathe_words.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
@@ -105,7 +106,7 @@ Status thread(Emitter& m, const Call& call) {
   if (!(lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
   if (const int count = __builtin_popcount(named); count > 2) return fail(alarm(AlarmId::thread_axes, call.where, double(count)));
   const bool first = !fanuc_of(m).state.in_thread, lathe = m.def.behaviour.lathe != Lathe::none;
-  if (lathe) fanuc::leave_contour(m);
+  if (lathe) fanuc::suspend_side(m);
   const auto mean_lead = call.row->arg == 34 ? fanuc::mean_lead(m, lead, to, named) : Result<double>(lead);
   if (!mean_lead) return fail(mean_lead.error());
   KADR_TRY(m.straight(MotionKind::thread, to, named));

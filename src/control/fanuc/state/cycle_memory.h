@@ -54,6 +54,7 @@ struct Finishing {
   std::uint64_t contour_end = 0;  // offset in the program file just after the contour's last block
   Vec2 start;                     // point in the plane to which the tool returns, in programmed coordinates, mm
   Origin origin;                  // location of the block with G70.7
+  bool in_side = false;           // G41 or G42 was in force in the block of the cycle
 };
 
 /// The purpose of the probe motion in progress. The measurement is complete when the probe's answer has come.

@@ -94,7 +94,7 @@ struct Memory {
   std::uint64_t without_point = 0;  // letters whose numbers may have no decimal point (spec/fanuc 1.3)
   // data of the block being executed
   bool holds_vector = false;     // the block has G38, which keeps the compensation vector
-  bool uncompensated = false;    // the block has G53, G28 or G30, whose motions are not compensated
+  bool uncompensated = false;    // the block has G53, G28, G30 or a turning cycle, whose motions are not compensated
   int spindle_by_p = 0;          // number of the spindle, for a block such as S1500 P2; 0 if the block has no P for a spindle
   bool absolute_block = false;   // the block's axis words are absolute even while G91 (incremental) is in force (17.3)
   bool cartesian_block = false;  // the block's axis words are Cartesian even while G16 (polar coordinates) is in force (5.4)

@@ -139,6 +139,8 @@ void read_interpretation(Settings& s, const ParameterSource& p) {
   s.compensation_check.further = static_cast<std::uint8_t>(std::clamp(macro_b::whole_parameter(p.value("1404", 0)), 0, 8));
   s.compensation_check.least_step = std::max(p.value("1405", 0), 0.0);
   s.skip_breaks_compensation = !p.bit("1337", "4", 0);
+  if (p.has("approach_by_corner"))
+    s.approach = p.value("approach_by_corner", 0) != 0 ? CompensationApproach::by_corner : CompensationApproach::square;
 }
 
 void read_machine(Settings& s, const ParameterSource& p) {

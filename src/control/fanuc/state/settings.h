@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -111,6 +112,9 @@ struct Settings {
   bool turning_offsets = false;          // N1416 #2 TOL: the offset table for turning is in use
   CompensationCheck compensation_check;  // N1403 … N1405: settings of cutter compensation
   bool skip_breaks_compensation = true;  // N1337 #4 CBB is 0: a block with / interrupts cutter compensation (15.5.2)
+  // 5003#0 SUP: start-up type A (square) or B (by_corner) of a lathe (spec/fanuc-t 7.3); INFERRED: #1 SUV is not read. nullopt: the control
+  // has only type B
+  std::optional<CompensationApproach> approach;
   // the two bits that decide which positions system variables report
   bool without_length = false;  // N1755 #6 TLC: system variables report positions without the tool length
   bool in_frame = false;        // N1755 #5 PCS: system variables report positions in the programming frame

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/lathe/lathe.h"
 #include "control/fanuc/lathe/lathe_words.h"
 #include "control/fanuc/turning/turning_contour.h"
@@ -131,6 +133,7 @@ Status first_line(BlockContext& m, const Call& call) {
 }
 
 Status second_line(Interpreter& m, const Call& call) {
+  suspend_side(m);
   switch (call.row->arg) {
     case 74.7_g:
     case 75.7_g: return groove(m, call);
@@ -143,10 +146,11 @@ Status second_line(Interpreter& m, const Call& call) {
   return call.row->arg == 73.7_g ? pattern(m, call, by) : rough(m, call, by);
 }
 
+/// Checks that the modes in force permit a turning cycle. Only a lathe has cycles in G41 and G42 (spec/fanuc-t 7.4).
 Status possible(const BlockContext& m, const Call& call) {
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
-  const bool lathe = m.def.behaviour.lathe != Lathe::none;
-  if (m.modal.radius_side != 0 && !lathe) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  if (m.modal.radius_side != 0 && !fanuc_of(m).settings.approach)
+    return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   return {};
 }
 
@@ -169,17 +173,38 @@ Status take_simple(BlockContext& m, const Call& call) {
   return {};
 }
 
+/// Ends a contour that is executed in G41 or G42, and returns to its start point. The last block ends square to its own end, and the tool
+/// is at the programmed start point after the way back; compensation starts again with the next motion (spec/fanuc-t 9.11).
+Status leave_side(Emitter& m, Vec2 start) {
+  UndoableState& state = fanuc_of(m).state;
+  const std::int8_t side = std::exchange(m.modal.radius_side, std::int8_t{0});
+  state.side_step = state.compensates ? SideStep::ends : SideStep::none;
+  const Status gone = go(m, MotionKind::rapid, start);
+  if (state.side_step == SideStep::ends) end_side_block(m);  // the last block ended at the start point
+  m.modal.radius_side = side;
+  restart_side(m);
+  return gone;
+}
+
 /// Executes one G77.7 or G79.7 cycle: infeed, cut, retract, and return to the start point. G77.7 cuts along the first axis of the plane,
-/// G79.7 along the second.
+/// G79.7 along the second. In G41 or G42, whichever of the two it is, the tool is inside the four motions; it is at the programmed point at
+/// their start and end (spec/fanuc-t 7.4).
 Status cut_once(Emitter& m, const Call& call) {
   const TurningMemory& memory = fanuc_of(m).state.turning;
   const Vec2 s = plane_point(m), t{memory.target[0], memory.target[1]};
   const bool along_first = call.row->arg == 77.7_g;
+  const Vec2 a = along_first ? Vec2{s.x, t.y + memory.taper} : Vec2{t.x + memory.taper, s.y};
   KADR_TRY(m.feed_known(call.where));
-  KADR_TRY(go(m, MotionKind::rapid, along_first ? Vec2{s.x, t.y + memory.taper} : Vec2{t.x + memory.taper, s.y}));
+  const std::int8_t side = m.modal.radius_side;
+  restart_side(m);
+  if (side != 0) m.modal.radius_side = cross(a - s, t - s) > 0 ? std::int8_t{-1} : std::int8_t{1};
+  KADR_TRY(go(m, MotionKind::rapid, a));
   KADR_TRY(go(m, MotionKind::feed, t));
   KADR_TRY(go(m, MotionKind::feed, along_first ? Vec2{t.x, s.y} : Vec2{s.x, t.y}));
-  return go(m, MotionKind::rapid, s);
+  if (side == 0) return go(m, MotionKind::rapid, s);
+  KADR_TRY(leave_side(m, s));
+  m.modal.radius_side = side;
+  return {};
 }
 
 /// G78.7, and G92 of lathes: cuts one pass of a thread. On a lathe, parameters 5130 and 5131 give the run-out (spec/fanuc-t 8.4). The NCT
@@ -188,10 +213,10 @@ Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& memory = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
+  suspend_side(m);
   const Vec2 s = plane_point(m), t{memory.target[0], memory.target[1]};
   const LatheSettings& lathe = fanuc_of(m).settings.lathe;
   const SinCos out = sincos_deg(lathe.run_out_angle);
-  leave_contour(m);
   return thread_pass(m, {{s.x, t.y + memory.taper}, t, s, *lead, memory.start_angle, lathe.run_out * *lead, out.sin / out.cos});
 }
 
@@ -209,7 +234,7 @@ class FinishingRun final : public SteppedCycleValue<FinishingRun> {
     frame.caller = m.origin;
     frame.modal_calls = macro_b_of(m).state.active_modal_calls;
     KADR_TRY(m.flow.call_at(m.program().reader(), first_, frame, m.block->where));
-    fanuc_of(m).finishing.push_back({m.program().depth(), after_.offset, plane_point(m), m.origin});
+    fanuc_of(m).finishing.push_back({m.program().depth(), after_.offset, plane_point(m), m.origin, m.modal.radius_side != 0});
     return {};
   }
 
@@ -223,6 +248,7 @@ class FinishingRun final : public SteppedCycleValue<FinishingRun> {
 Status finish(Interpreter& m, const Call& call) {
   const auto contour = find_contour(m, call);
   if (!contour) return fail(contour.error());
+  restart_side(m);
   m.running = std::make_unique<FinishingRun>(contour->first, contour->contour_end, static_cast<std::uint32_t>(m.value('P')));
   return {};
 }
@@ -237,7 +263,7 @@ Result<bool> end_contour(Interpreter& m) {
   const auto left = m.flow.end_subprogram(m.block->where);
   if (!left) return fail(left.error());
   m.origin = ended.origin;
-  KADR_TRY(go(m, MotionKind::rapid, ended.start));
+  KADR_TRY(ended.in_side ? leave_side(m, ended.start) : go(m, MotionKind::rapid, ended.start));
   return true;
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t max_pieces = 10'000;
 
 /// Lets the interpreter read blocks without executing them; the destructor restores the interpreter's state. Meanwhile mirroring, scaling
 /// and rotation are off. INFERRED (16): the cycle computes with the contour as programmed, and the motions of the cycle are transformed
-/// like any others.
+/// like any others. In G41 or G42 the first motion of the contour starts compensation (spec/fanuc-t 9.11).
 class DryRun {
  public:
   explicit DryRun(Emitter& m)
@@ -33,7 +33,8 @@ class DryRun {
         origin_(m.origin),
         state_(fanuc_of(m).state),
         macros_(macro_b_of(m).state),
-        moved_(macro_b_of(m).moved) {
+        moved_(macro_b_of(m).moved),
+        uncompensated_(fanuc_of(m).uncompensated) {
     m.batch = &actions;
     m.transform = Transform();
     m.position.work = m.position.programmed;
@@ -41,6 +42,8 @@ class DryRun {
     // a feed is assumed to be known while the contour is read, because its F words apply to the finishing pass only
     m.modal.feed_known = true;
     m.modal.feed = 1;
+    fanuc_of(m).uncompensated = false;
+    if (m.modal.radius_side != 0) fanuc_of(m).state.side_step = SideStep::begins;
   }
   ~DryRun() {
     m_.modal = modal_;
@@ -53,6 +56,7 @@ class DryRun {
     fanuc_of(m_).state = state_;
     macro_b_of(m_).state = macros_;
     macro_b_of(m_).moved = moved_;
+    fanuc_of(m_).uncompensated = uncompensated_;
   }
   DryRun(const DryRun&) = delete;
   DryRun& operator=(const DryRun&) = delete;
@@ -71,6 +75,7 @@ class DryRun {
   UndoableState state_;
   macro_b::UndoableState macros_;
   bool moved_;
+  bool uncompensated_;
 };
 
 class Reader {
@@ -91,8 +96,11 @@ class Reader {
     }
     if (run_.actions.empty()) return shape();
     contour.uncompensated = uncompensated_;
+    const Motion first = std::get<Motion>(run_.actions[0].what);
     KADR_TRY(corners());
     take_pieces(contour.pieces);
+    const ContourPiece& resolved = contour.pieces.front();
+    contour.entry = (first.side_step == SideStep::begins ? in_plane(first.to) : resolved.to) - resolved.from;
     return {};
   }
 
@@ -112,24 +120,26 @@ class Reader {
     return fail(alarm);
   }
 
-  /// Computes chamfers ,C, roundings ,R and all other points that depend on the next block (17), in the same way as for executed motions.
+  /// Computes chamfers ,C, roundings ,R and all other points that depend on the next block (17), in the same way as for executed motions;
+  /// then the path of the tool, if G41 or G42 is in force in the cycle's block (spec/fanuc-t 9.11).
   Status corners() {
     const auto waits = [](const Action& action) {
       const Motion& motion = std::get<Motion>(action.what);
-      return motion.detail && motion.detail->contour;
+      return (motion.detail && motion.detail->contour) || motion.side_step == SideStep::begins;
     };
     if (std::none_of(run_.actions.begin(), run_.actions.end(), waits)) return {};
-    if (m_.find_corners == nullptr || !*m_.find_corners) return without(",C ,R ,A");
+    if (m_.find_corners == nullptr || !*m_.find_corners) return without(m_.modal.radius_side == 0 ? ",C ,R ,A" : "G41, G42");
     const auto fault = (*m_.find_corners)(run_.actions, start_);
     return fault ? unread(*fault) : Status();
   }
 
+  Vec2 in_plane(const Axes& axes) const { return {axes[m_.modal.axes.first], axes[m_.modal.axes.second]}; }
+
   void take_pieces(std::vector<ContourPiece>& pieces) const {
-    const PlaneAxes& plane = m_.modal.axes;
-    Vec2 at{start_[plane.first], start_[plane.second]};
+    Vec2 at = in_plane(start_);
     for (const Action& action : run_.actions) {
       const auto& motion = std::get<Motion>(action.what);
-      const Vec2 to{motion.to[plane.first], motion.to[plane.second]};
+      const Vec2 to = in_plane(motion.to);
       pieces.push_back({motion.kind, at, to, motion.center, motion.turns, action.origin.block});
       at = to;
     }

@@ -25,6 +25,7 @@ struct ContourPiece {
 
 struct Contour {
   std::vector<ContourPiece> pieces;  // lines and arcs of the contour in program order; the first one starts at the tool's position
+  Vec2 entry;                        // travel of the first motion, mm; if the contour is compensated, the travel without compensation
   Position contour_end;              // position in the program just after the contour's last block
   std::string_view uncompensated;    // G41 or G42 of the contour, which the cycle does not apply; empty if the contour has neither
   bool follows = false;              // the contour comes after the block of the cycle, so the program continues at `contour_end`

@@ -40,7 +40,8 @@ class Profile {
   };
 
   ///     alarms  contour_shape: the contour is not monotone, or its first block is not a line or has no motion along the infeed axis
-  static Result<Profile> of(const std::vector<ContourPiece>& contour, bool facing, Span where) {
+  static Result<Profile> of(const Contour& drawing, bool facing, Span where) {
+    const std::vector<ContourPiece>& contour = drawing.pieces;
     Profile p;
     p.facing_ = facing;
     const ContourPiece& first = contour.front();
@@ -49,7 +50,7 @@ class Profile {
     const Vec2 in = p.uv(first.to) - p.start_;
     if (first.is_arc() || std::fabs(in.y) <= tol::level || contour.size() == 1) return shape(first);
     p.sign_ = in.y < 0 ? -1 : 1;
-    p.pockets_ = std::fabs(in.x) > tol::level;
+    p.pockets_ = std::fabs(p.uv(drawing.entry).x) > tol::level;
     p.pieces_ = monotone({contour.begin() + 1, contour.end()});
     p.deepest_ = p.depth(first.to);
     double direction = p.pockets_ ? in.x : 0;
@@ -225,7 +226,7 @@ Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
   auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
   if (!(memory.depth > 0)) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, facing ? 0 : 1), call.row->code));
-  auto profile = Profile::of(contour->pieces, facing, call.where);
+  auto profile = Profile::of(*contour, facing, call.where);
   if (!profile) return fail(profile.error());
   if (profile->deepest() / memory.depth > max_cuts)
     return fail(alarm(AlarmId::value_out_of_range, call.where, letter_of(m, facing ? 0 : 1), memory.depth));
