@@ -415,12 +415,17 @@ def check_alarm_calls(table):
                 check(len(parts) - 1 >= args, f"{path.relative_to(ROOT)}:{line}: {call[1]} gives {len(parts) - 1} arguments, its text uses {args}")
 
 
-def merged(path, depth=0):
-    """Lays a control's table over the one it extends, as src/config does."""
+def merged(path, depth=0, over=""):
+    """Lays a control's table over the one it extends, as src/config does. `over`: the control in place of the one that the file extends."""
     table = load(path)
     if table is None or "extends" not in table or depth == 8:
         return table
-    under = merged(CONTROLS / f"{table['extends']}.toml", depth + 1)
+    base, base_over = over or table["extends"], ""
+    if isinstance(base, list):
+        base_over, base = base
+    if over:
+        table.pop("alarms", None)
+    under = merged(CONTROLS / f"{base}.toml", depth + 1, base_over)
     return None if under is None else lay(under, table)
 
 
