@@ -5,23 +5,10 @@
 #include <vector>
 
 #include "base/result.h"
+#include "control/fanuc/turning/contour_piece.h"
 #include "control/interpreter.h"
 
 namespace kadr::fanuc {
-
-/// A motion of the contour in the plane, in programmed coordinates, mm. It is a line, or an arc whose radius changes linearly with the
-/// angle.
-struct ContourPiece {
-  MotionKind kind = MotionKind::rapid;
-  Vec2 from, to;
-  Vec2 center;
-  double turns = 0;         // swept angle of an arc in revolutions, positive; 0 for a line
-  std::uint32_t block = 0;  // block number N of the block that programs this motion
-
-  bool is_arc() const { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
-  /// Returns the point at a fraction 0 … 1 of the line's length or of the arc's angle.
-  Vec2 at(double part) const;
-};
 
 struct Contour {
   std::vector<ContourPiece> pieces;  // lines and arcs of the contour in program order; the first one starts at the tool's position
@@ -42,9 +29,6 @@ Result<ContourLocation> find_contour(Interpreter& m, const Call& call);
 ///   alarms  those of find_contour; contour_shape: a block that is not G0, G1, G2, G3 in the plane; those of chapter 17 for its corners;
 ///           plane_wrong: G68 in another plane; not_together: arcs with different factors of G51
 Result<Contour> read_drawing(Interpreter& m, const Call& call);
-
-/// Splits arcs at the points where one of the axes reverses. Along each line or arc of the result, neither axis reverses its direction.
-std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces);
 
 /// Adds one motion of the contour, displaced by `shift` (mm in the plane). A rapid line of the contour remains rapid; any other motion has
 /// the feed in force.
