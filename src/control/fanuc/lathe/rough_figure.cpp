@@ -47,7 +47,7 @@ RoughFigure::RoughFigure(const std::vector<ContourPiece>& contour, const Setting
 void RoughFigure::choose_directions(Vec2 first) {
   const auto from_origin = [&](Vec2 point) { return in_figure(point); };
   double x = from_origin(pieces_.back().to).x - from_origin(first).x, y = from_origin(first).y;
-  for (const ContourPiece& piece : pieces_) {
+  for (const ContourPiece& piece : monotone(pieces_)) {
     const Vec2 to = from_origin(piece.to);
     if (std::fabs(x) <= tol::level) x = to.x - from_origin(first).x;
     if (std::fabs(y) <= tol::level) y = to.y;
@@ -128,6 +128,7 @@ FigurePlace RoughFigure::crossing(std::size_t section, double level) const {
 }
 
 std::optional<Stretch> RoughFigure::stretch(double level, const FigurePlace& from, const FigurePlace& to) const {
+  if (!from.before(to)) return {};
   Stretch found;
   found.begin = begin();
   bool inside = found.open = from.section == 0 && from.part == 0 && deeper(from.point.y, level);

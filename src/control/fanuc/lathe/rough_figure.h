@@ -31,6 +31,8 @@ struct FigurePlace {
   std::size_t section = 0;
   double part = 0;
   Vec2 point;  // in figure coordinates
+
+  bool before(const FigurePlace& other) const { return section != other.section ? section < other.section : part < other.part; }
 };
 
 /// A piece of the figure that is deeper than a level and as long as possible. `open`: it begins at A', the first point of the figure.

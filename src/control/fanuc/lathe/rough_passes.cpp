@@ -11,8 +11,6 @@
 namespace kadr::fanuc {
 namespace {
 
-bool before(const FigurePlace& a, const FigurePlace& b) { return a.section != b.section ? a.section < b.section : a.part < b.part; }
-
 bool has_no_length(const ContourPiece& piece) { return length(piece.to - piece.from) <= tol::level && piece.turns < 0.5; }
 
 }  // namespace
@@ -49,7 +47,7 @@ std::optional<RoughStep> RoughPasses::carry_out(Order& order) {
     case Path::follow:
       step.motion = figure_.in_plane(figure_.section(order.from, order.until));
       order.from = figure_.after_section(order.from, order.until);
-      finished = !before(order.from, order.until);
+      finished = !order.from.before(order.until);
       break;
     case Path::whole_figure:
       step.motion = figure_.pieces()[piece_++];
@@ -69,7 +67,7 @@ void RoughPasses::line(MotionKind kind, Vec2 to) {
 }
 
 void RoughPasses::follow(const FigurePlace& from, const FigurePlace& until) {
-  if (before(from, until)) orders_[ordered_++] = {Path::follow, MotionKind::feed, until.point, from, until, false};
+  if (from.before(until)) orders_[ordered_++] = {Path::follow, MotionKind::feed, until.point, from, until, false};
   planned_ = until.point;
   left_ = until;
 }
@@ -174,7 +172,7 @@ void RoughPasses::rise_to(double depth) {
 /// Returns the greatest depth at which the tool may go at rapid from where it left the figure to another place of the figure: by the escape
 /// above every ridge between. The words of 9.3 do not mention such a ridge, which lies there only if the figure ends behind it.
 double RoughPasses::clear_depth(const FigurePlace& place) const {
-  return (before(place, left_) ? figure_.ridge(place, left_) : figure_.ridge(left_, place)).point.y - plan_.back;
+  return (place.before(left_) ? figure_.ridge(place, left_) : figure_.ridge(left_, place)).point.y - plan_.back;
 }
 
 void RoughPasses::order_infeed() {
@@ -207,10 +205,13 @@ void RoughPasses::order_along_figure() {
   planned_ = figure_.end().point;
 }
 
-/// Orders the motion back to S. If the figure ends below one of its ridges, the straight way would lead through the ridge: the tool first
-/// moves out to the depth of S+δ.
+/// Orders the motion back to S. If a ridge of the figure is higher than its end, or the figure ends before S, the straight way would lead
+/// through stock: the tool first moves out to the depth of S+δ.
 void RoughPasses::order_home() {
-  if (plan_.along_figure && figure_.ridge(figure_.begin(), figure_.end()).point.y < planned_.y - tol::level) rise_to(0);
+  if (plan_.along_figure) {
+    const double ridge = figure_.ridge(figure_.begin(), figure_.end()).point.y;
+    if (ridge < planned_.y - tol::level || planned_.x < figure_.start_in_figure().x) rise_to(0);
+  }
   orders_[ordered_++] = {Path::home, MotionKind::rapid, {}, {}, {}, true};
 }
 
