@@ -11,7 +11,7 @@
 namespace kadr::fanuc {
 namespace {
 
-bool has_no_length(const ContourPiece& piece) { return length(piece.to - piece.from) <= tol::level && piece.turns < 0.5; }
+bool has_no_length(const ContourPiece& piece) { return piece.from == piece.to && piece.turns < 0.5; }
 
 }  // namespace
 

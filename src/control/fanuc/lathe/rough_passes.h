@@ -15,7 +15,8 @@
 
 namespace kadr::fanuc {
 
-/// A motion of a cycle. `ends_pass`: a pass of the cycle ends with this motion, which may then have no length.
+/// A motion of a cycle. It may be shorter than tol::level, and then means nothing to the machine. `ends_pass`: a pass of the cycle ends
+/// with this motion.
 struct RoughStep {
   ContourPiece motion;
   bool ends_pass = false;
