@@ -1,4 +1,4 @@
-// Random figures of G71 and G72, type I and II, in the four quadrants: the passes are carried out on a blank whose remaining height is kept
+// Random figures of G71 and G72, type I and II, in the four quadrants: the passes are executed on a blank whose remaining height is kept
 // at many places along the passes. The model reads neither the figure nor the passes' own geometry: it evaluates each line and arc itself.
 // KADR_FIGURES: how many figures; KADR_FIRST_FIGURE: the first seed.
 
@@ -262,7 +262,7 @@ int asked(const char* name, int otherwise) {
 }
 
 TEST(rough_passes_random, leave_the_figure_and_never_cut_at_rapid) {
-  const int first = asked("KADR_FIRST_FIGURE", 0), count = asked("KADR_FIGURES", 3000);
+  const int first = asked("KADR_FIRST_FIGURE", 0), count = asked("KADR_FIGURES", 8000);
   for (int seed = first; seed < first + count; ++seed) {
     const Job job = random_job(static_cast<std::uint32_t>(seed));
     expect_sound(job, seed % 4 == 0 ? MotionKind::feed : MotionKind::rapid);

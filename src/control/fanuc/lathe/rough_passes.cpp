@@ -31,14 +31,14 @@ std::optional<RoughStep> RoughPasses::next() {
       if (stage_ == Stage::done) return {};
       done_ = ordered_ = 0;
       order_more();
-    } else if (const auto step = carry_out(orders_[done_]); step) {
+    } else if (const auto step = execute(orders_[done_]); step) {
       return step;
     }
   }
 }
 
 /// Returns the next motion of an order, and nothing if this motion has no length and ends no pass.
-std::optional<RoughStep> RoughPasses::carry_out(Order& order) {
+std::optional<RoughStep> RoughPasses::execute(Order& order) {
   RoughStep step;
   bool finished = true;
   switch (order.path) {

@@ -54,7 +54,7 @@ class RoughPasses {
   double level(double number) const { return number * plan_.depth; }
   void line(MotionKind kind, Vec2 to);
   void follow(const FigurePlace& from, const FigurePlace& until);
-  std::optional<RoughStep> carry_out(Order& order);
+  std::optional<RoughStep> execute(Order& order);
 
   void order_more();
   bool order_level();
