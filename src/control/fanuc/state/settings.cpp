@@ -126,7 +126,19 @@ void read_machine(Settings& s, const ParameterSource& p) {
   s.min_css_speed = p.value("0688", 0);
 }
 
+void read_repetitive(RepetitiveSettings& s, const ParameterSource& p) {
+  s.depth = p.value("rough_depth", 0);
+  s.back = p.value("rough_back", 0);
+  s.clearance = p.value("rough_clearance", 0);
+  s.relief = {p.value("pattern_relief_first", 0), p.value("pattern_relief_second", 0)};
+  s.passes = p.value("pattern_passes", 0);
+  s.reversal = {p.value("reversal_first", 0), p.value("reversal_second", 0)};
+  s.leaves_out_first = p.value("rough_only_first", 0) != 0;
+  s.leaves_out_second = p.value("rough_only_second", 0) != 0;
+}
+
 void read_cycles(Settings& s, const ParameterSource& p) {
+  read_repetitive(s.repetitive, p);
   s.return_g73 = p.value("1500", 0);
   s.clearance_g83 = p.value("1501", 0);
   s.extraction = p.value("1502", 0);

@@ -41,6 +41,17 @@ struct SpindleSettings {
   int closing_code = 0;                 // N0823: M code that closes the position loop of the spindle
 };
 
+/// Parameters of Fanuc's multiple repetitive turning cycles (spec/fanuc-t 9, 13). Lengths in mm; depths are radii.
+struct RepetitiveSettings {
+  double depth = 0, back = 0;      // 5132, 5133: depth of a pass and escape of G71, G72
+  double clearance = 0;            // 5134: clearance before a pocket
+  Vec2 relief;                     // 5136, 5135: shift of the first pass of G73 along the first and the second axis
+  double passes = 0;               // 5137: number of passes of G73
+  Vec2 reversal;                   // 5145, 5146: by how much the first and the second axis of a figure may reverse
+  bool leaves_out_first = false;   // 5105#1 RF1: type I without the pass along the figure
+  bool leaves_out_second = false;  // 5105#2 RF2: type II without it
+};
+
 /// The settings of axes, spindles, canned cycles and five-axis functions.
 struct Settings {
   std::array<AxisSettings, max_axes> axes;                 // settings of each axis, by index of the axis in the channel
@@ -122,6 +133,7 @@ struct Settings {
   double measure_feed = 0, length_feed = 0;   // N0311, N0312: feeds of G31 and of G37, mm/min
   double length_rapid = 0, length_alarm = 0;  // N3004, N3005: rapid distance and alarm distance of G37 from the expected position, mm
   bool torque_known = true;                   // INFERRED: the drive of an axis reports its torque, because a virtual drive always does
+  RepetitiveSettings repetitive;
   // kinematics of the five axes (N3200 … N3224); the travel limits of the rotary axes come from the machine profile
   FiveAxis five_axis;
   bool keeps_linear = false;  // N3212 #7 FOS: X, Y, Z do not move in a block that moves rotary axes alone
