@@ -331,10 +331,8 @@ Done ControlLoader::address(char letter, const toml::table& row) {
   if (row.contains("axis")) {
     const std::string axis = text(row, "axis");
     const int index = axis_named(axis);
-    // The axes of a machine with dialect = "nct" come from the set-up, and the centre of an arc is found by its letter
-    const bool of_machine = def_.machine_axes() && a.function == Function::center;
-    if (index < 0 && !of_machine) return Failed(place(name_, row, "axis") + translated(texts::control_file_words::no_axis, axis));
-    a.axis = static_cast<std::uint8_t>(std::max(index, 0));
+    if (index < 0) return Failed(place(name_, row, "axis") + translated(texts::control_file_words::no_axis, axis));
+    a.axis = static_cast<std::uint8_t>(index);
   }
   const std::string unit = text(row, "unit");
   if (!unit.empty() && unit != "length" && unit != "angle")
