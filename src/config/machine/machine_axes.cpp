@@ -103,6 +103,7 @@ class Fitter {
 
   void axes() {
     if (!setup_.axes.empty()) def_.axes = setup_.axes;
+    else if (def_.behaviour.lathe != Lathe::none) def_.axes = {"X", "Z"};  // the usual axes of a lathe
     if (def_.axes.size() > max_axes) error_ = translated(texts::machine_file::too_many_axes, max_axes);
     def_.axes.resize(std::min(def_.axes.size(), max_axes));
     std::size_t number = 1;

@@ -162,6 +162,8 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
   if (settings.lathe.is_lathe) start_turning_memory(*this);
   state.surface_speed = settings.surface_speed;
   state.css_axis = settings.css_axis;
+  if (const int x = main_axis(m, 1); settings.lathe.is_lathe && state.css_axis == 0 && x >= 0)
+    state.css_axis = m.def.axis_numbers[static_cast<std::size_t>(x)];
   m.transform = Transform();
   reset_shifts(m);
   reset_codes(m, false);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
@@ -145,12 +146,37 @@ Status allowed(const BlockContext& m, const Call& call) {
   return {};
 }
 
+/// Selects the plane of a lathe's C axis for G12.1 (X and C) or G7.1 (C and Z), which a lathe needs not select by a code (spec/fanuc-t 11).
+/// A channel without the axes keeps its plane, which the caller then refuses.
+void select_surface_plane(BlockContext& m, Plane plane) {
+  if (m.def.behaviour.lathe == Lathe::none) return;
+  const int linear = fanuc::main_axis(m, plane == Plane::xy ? 1 : 3);
+  int rotary = -1;
+  for (std::size_t a = 0; a < m.axis_count && rotary < 0; ++a)
+    if ((m.def.rotary >> a & 1U) != 0) rotary = static_cast<int>(a);
+  if (linear < 0 || rotary < 0) return;
+  const auto first = static_cast<std::size_t>(plane == Plane::xy ? linear : rotary);
+  const auto second = static_cast<std::size_t>(plane == Plane::xy ? rotary : linear);
+  m.modal.plane = plane;
+  m.modal.axes = {first, second, m.modal.axes.normal};
+}
+
+/// Selects the plane of the code in force again, after the mode that has selected the plane of the C axis.
+void select_plane_in_force(Emitter& m) {
+  if (m.def.behaviour.lathe == Lathe::none) return;
+  const std::uint8_t group = m.def.codes[static_cast<std::size_t>(m.def.row_of('G', 18_g))].group;
+  const std::int16_t row = m.modal.rows[group];
+  fanuc_of(m).plane_axes = 0;
+  if (row >= 0) (void)select_plane(m, {&m.def.codes[static_cast<std::size_t>(row)], nullptr, {}});
+}
+
 }  // namespace
 
 /// G12.1 (4.5): switches polar interpolation on. The plane must have a linear first axis and a rotary second axis. The rotary axis must be
 /// at 0; the linear axis must not be at 0.
 Status polar_surface_on(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
+  select_surface_plane(m, Plane::xy);
   const PlaneAxes& plane = m.modal.axes;
   const bool fits = (m.def.rotary >> plane.first & 1u) == 0 && (m.def.rotary >> plane.second & 1u) != 0;
   if (!fits) return fail(alarm(AlarmId::plane_illegal, call.where));
@@ -172,6 +198,7 @@ Status polar_surface_off(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   if (m.modal.surface != PathSurface::polar) return {};
   m.modal.surface = PathSurface::plane;
+  select_plane_in_force(m);
   const Axes before = m.position.work;
   fanuc::roll_positions(m, m.position.work);
   if (m.position.work != before) m.emit(m.frame_change());
@@ -196,8 +223,10 @@ Status cylinder_mode(Emitter& m, const Call& call) {
   const double radius = word->value * m.unit_scale();
   if (radius == 0) {
     m.modal.surface = PathSurface::plane;
+    select_plane_in_force(m);
     return {};
   }
+  select_surface_plane(m, Plane::yz);
   if (radius < 0) return fail(alarm(AlarmId::value_out_of_range, word->where, word->address, radius));
   if (axis != plane.first && axis != plane.second) return fail(alarm(AlarmId::plane_illegal, call.where));
   m.modal.surface = PathSurface::cylinder;

@@ -16,10 +16,6 @@ namespace kadr::fanuc {
 void start_turning_memory(Fanuc& fanuc) {
   const macro_b::ParameterSource p = macro_b::source_of(fanuc.parameters);
   TurningMemory& t = fanuc.state.turning;
-  t.depth = p.value("rough_depth", 0);
-  t.back = p.value("rough_escape", 0);
-  t.relief = {p.value("pattern_first", 0), p.value("pattern_second", 0)};
-  t.passes = static_cast<std::uint32_t>(std::max(p.value("pattern_passes", 0), 0.0));
   t.groove_back = p.value("groove_back", 0);
   t.least = p.value("thread_least", 0);
   t.allowance = p.value("thread_allowance", 0);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "action/action.h"
 #include "base/vec.h"
@@ -26,6 +27,14 @@ struct DrillingMemory {
   double dwell = 0;       // dwell P at the bottom of the hole, in seconds, or in G95 in revolutions of the spindle
 };
 
+/// The data of the first blocks of Fanuc's cycles G71, G72 and G73 (spec/fanuc-t 9.2, 9.5), mm, depths as radii. Without a value the
+/// parameter counts, which on a Fanuc holds the value of the first block too.
+struct RepetitiveMemory {
+  std::optional<double> depth, back;                  // Δd and e of G71, G72
+  std::optional<double> relief_first, relief_second;  // Δk and Δi of G73
+  std::optional<std::uint32_t> passes;                // d of G73
+};
+
 /// The data of the first blocks of two-block turning cycles, which are valid until programmed again, and the data of the simple turning
 /// cycle in force. Lengths are in mm.
 struct TurningMemory {
@@ -40,6 +49,7 @@ struct TurningMemory {
   double least = 0;       // least increase of depth from one thread pass to the next
   double allowance = 0;   // depth of the thread that is left for the finishing passes
   bool cuts_through = false;  // M24 of a Haas is in force: threads have no run-out (spec/haas-st 5)
+  RepetitiveMemory repetitive;
   // simple turning cycles
   std::int32_t code = 0;  // code in tenths of the simple turning cycle in force: 777 (G77.7), 787 or 797; 0 if no such cycle is in force
   std::array<double, 2> target{};

@@ -69,16 +69,11 @@ void read_lathe(Settings& s, const ParameterSource& p, const std::vector<std::st
   l.offsets_are_radii = on("offsets_are_radii");
   l.pecks_to_level = on("pecks_to_level");
   l.level_is_diameter = on("level_is_diameter");
-  l.no_last_pass = on("no_last_pass");
-  l.no_last_pass_two = on("no_last_pass_two");
   l.feed_per_minute = on("feed_per_minute");
   l.clamp_code = macro_b::whole_parameter(p.value("clamp_code", 0));
   l.release_dwell = p.value("release_dwell", 0) / 1000;
-  l.clearance = p.value("rough_clearance", 0);
   l.run_out = p.value("run_out", 0) / 10;
   if (const double angle = p.value("run_out_angle", 0); angle > 0) l.run_out_angle = angle;
-  l.tolerance_first = p.value("figure_tolerance_first", 0);
-  l.tolerance_second = p.value("figure_tolerance_second", 0);
 }
 
 /// Sets what the control of a Haas lathe decides without parameters, and reads its settings (spec/haas-st 1, 3, 5, 7.2, 11).
@@ -169,7 +164,19 @@ void read_machine(Settings& s, const ParameterSource& p) {
   s.min_css_speed = p.value("0688", 0);
 }
 
+void read_repetitive(RepetitiveSettings& s, const ParameterSource& p) {
+  s.depth = p.value("rough_depth", 0);
+  s.back = p.value("rough_back", 0);
+  s.clearance = p.value("rough_clearance", 0);
+  s.relief = {p.value("pattern_relief_first", 0), p.value("pattern_relief_second", 0)};
+  s.passes = p.value("pattern_passes", 0);
+  s.reversal = {p.value("reversal_first", 0), p.value("reversal_second", 0)};
+  s.leaves_out_first = p.value("rough_only_first", 0) != 0;
+  s.leaves_out_second = p.value("rough_only_second", 0) != 0;
+}
+
 void read_cycles(Settings& s, const ParameterSource& p) {
+  read_repetitive(s.repetitive, p);
   s.return_g73 = p.value("1500", 0);
   s.clearance_g83 = p.value("1501", 0);
   s.extraction = p.value("1502", 0);

@@ -56,16 +56,22 @@ struct LatheSettings {
   bool offsets_are_radii = false;  // 5004#1 ORC: the offsets of X that a program reads and writes are radii, not diameters
   bool pecks_to_level = false;     // 5101#2 RTR: between the pecks of G83 and G87 the tool returns to R
   bool level_is_diameter = false;  // 5102#7 RDI: R of drilling along X is a diameter
-  bool no_last_pass = false;       // 5105#1 RF1: G71 and G72 leave out the pass along the figure (type I)
-  bool no_last_pass_two = false;   // 5105#2 RF2: the same for type II
   bool feed_per_minute = false;    // 3402#4 FPM: the feed per minute is in force at power-on
   int clamp_code = 0;              // 5110: M code that clamps the C axis for drilling; 0: none
   double release_dwell = 0;        // 5111: dwell after the C axis is released, s
-  double clearance = 0;            // 5134: clearance before a pocket of G71 and G72
   double run_out = 0;              // 5130: length of a thread's run-out, in leads
   double run_out_angle = 45;       // 5131: angle of the run-out to the axis of the thread, degrees
-  // 5145, 5146: lengths by which a figure may turn back along the passes and in depth
-  double tolerance_first = 0, tolerance_second = 0;
+};
+
+/// Parameters of Fanuc's multiple repetitive turning cycles (spec/fanuc-t 9, 13). Lengths in mm; depths are radii.
+struct RepetitiveSettings {
+  double depth = 0, back = 0;      // 5132, 5133: depth of a pass and escape of G71, G72
+  double clearance = 0;            // 5134: clearance before a pocket
+  Vec2 relief;                     // 5136, 5135: shift of the first pass of G73 along the first and the second axis
+  double passes = 0;               // 5137: number of passes of G73
+  Vec2 reversal;                   // 5145, 5146: by how much the first and the second axis of a figure may reverse
+  bool leaves_out_first = false;   // 5105#1 RF1: type I without the pass along the figure
+  bool leaves_out_second = false;  // 5105#2 RF2: type II without it
 };
 
 /// The settings of axes, spindles, canned cycles and five-axis functions.
@@ -153,6 +159,7 @@ struct Settings {
   double measure_feed = 0, length_feed = 0;   // N0311, N0312: feeds of G31 and of G37, mm/min
   double length_rapid = 0, length_alarm = 0;  // N3004, N3005: rapid distance and alarm distance of G37 from the expected position, mm
   bool torque_known = true;                   // INFERRED: the drive of an axis reports its torque, because a virtual drive always does
+  RepetitiveSettings repetitive;
   // kinematics of the five axes (N3200 … N3224); the travel limits of the rotary axes come from the machine profile
   FiveAxis five_axis;
   bool keeps_linear = false;  // N3212 #7 FOS: X, Y, Z do not move in a block that moves rotary axes alone

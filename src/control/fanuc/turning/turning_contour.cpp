@@ -8,6 +8,7 @@
 
 #include "action/by_kind.h"
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/lathe/figure_block.h"
 #include "control/fanuc/turning/turning_plane.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
@@ -87,14 +88,16 @@ class Reader {
     BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
     reader.seek(place.first);
     while (reader.position().offset <= place.last.offset) {
+      const std::uint64_t offset = reader.position().offset;
       const auto got = reader.next(block_);
       if (!got) return unread(got.error());
       if (*got == BlockReader::Got::end) break;
       if (block_.has_number) m_.origin.block = number_ = block_.number;
       if (block_.skip != 0 && m_.skip_switches[std::min<std::size_t>(block_.skip, 9)]) continue;
-      KADR_TRY(block());
+      KADR_TRY(strict_ ? figure_block({offset == place.first.offset, offset >= place.last.offset}) : block());
     }
-    if (run_.actions.empty()) return shape();
+    if (run_.actions.empty()) return strict_ ? fail(alarm(AlarmId::figure_first_block, call_.where, double(number_))) : shape();
+    contour.first_named = std::get<Motion>(run_.actions.begin()->what).named;
     contour.uncompensated = uncompensated_;
     const Motion first = std::get<Motion>(run_.actions[0].what);
     KADR_TRY(corners());
@@ -105,7 +108,10 @@ class Reader {
   }
 
  private:
-  Status shape() const { return fail(alarm(AlarmId::contour_shape, call_.where, double(number_))); }
+  Status shape() const {
+    if (strict_) return fail(alarm(AlarmId::figure_unavailable, call_.where, block_.text_of(block_.number_where)));
+    return fail(alarm(AlarmId::contour_shape, call_.where, double(number_)));
+  }
   Status without(std::string_view what) const { return fail(alarm(AlarmId::not_available, call_.where, what)); }
 
   static bool has_comma(char address) {
@@ -143,6 +149,13 @@ class Reader {
       pieces.push_back({motion.kind, at, to, motion.center, motion.turns, action.origin.block});
       at = to;
     }
+  }
+
+  /// Reads a block of a figure on a lathe's control, which permits less (fanuc-t 9.1). A dwell has no effect.
+  Status figure_block(FigureBlock which) {
+    m_.block = &block_;
+    KADR_TRY(check_figure_block(m_, which, call_.where));
+    return m_.has_code({Function::dwell, Function::dwell_or_turns}) ? Status() : block();
   }
 
   Status block() {
@@ -198,7 +211,7 @@ class Reader {
       case Function::exact_stop_mode: return {};
       default: break;
     }
-    const bool ignored = w.address == 'M' && row.phase != Phase::flow && row.phase != Phase::stop;
+    const bool ignored = w.address == 'M' && row.phase != Phase::flow && (strict_ || row.phase != Phase::stop);
     return ignored ? Status() : shape();
   }
 
@@ -231,32 +244,30 @@ class Reader {
   Block block_;
   std::uint32_t number_ = 0;
   std::string_view uncompensated_;
+  bool strict_ = m_.def.behaviour.lathe != Lathe::none;
 };
 
 }  // namespace
 
-Vec2 ContourPiece::at(double part) const {
-  if (!is_arc()) return from + part * (to - from);
-  if (part == 0) return from;
-  if (part == 1) return to;
-  const double r0 = length(from - center), r1 = length(to - center);
-  const double angle = angle_deg(from - center) + (kind == MotionKind::arc_ccw ? 360 : -360) * turns * part;
-  const SinCos direction = sincos_deg(angle);
-  return center + (r0 + (r1 - r0) * part) * Vec2{direction.cos, direction.sin};
-}
-
 Result<ContourLocation> find_contour(Interpreter& m, const Call& call) {
   constexpr double highest = 99'999'999;
+  const bool lathe = m.def.behaviour.lathe != Lathe::none;
+  const auto missing = [&](char letter, std::uint32_t number) {
+    return fail(lathe ? alarm(AlarmId::figure_block_missing, m.where(letter), double(number))
+                      : alarm(AlarmId::contour_block_missing, m.where(letter), double(number)));
+  };
   for (const char letter : {'P', 'Q'})
-    if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
+    if (!m.has(letter))
+      return fail(lathe ? alarm(AlarmId::figure_words, call.where) : alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   const auto p = m.whole('P', 1, highest), q = m.whole('Q', 1, highest);
   if (!p) return fail(p.error());
   if (!q) return fail(q.error());
   ProgramFile& file = m.flow.program_file();
-  const auto first = file.find_number(*p, m.program().position());
-  if (!first) return fail(alarm(AlarmId::contour_block_missing, m.where('P'), double(*p)));
+  // fanuc-t 9.1: the first block found from the start of the program counts
+  const auto first = file.find_number(*p, lathe ? file.first_block() : m.program().position());
+  if (!first) return missing('P', *p);
   const auto last = file.find_number(*q, *first);
-  if (!last) return fail(alarm(AlarmId::contour_block_missing, m.where('Q'), double(*q)));
+  if (!last || (lathe && last->offset < first->offset)) return missing('Q', *q);
   if (last->offset < first->offset) return fail(alarm(AlarmId::contour_order, m.where('Q'), double(*p), double(*q)));
   BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
   reader.seek(*last);
@@ -280,31 +291,6 @@ Result<Contour> read_drawing(Interpreter& m, const Call& call) {
   contour.contour_end = place->contour_end;
   contour.follows = contour.contour_end.offset > m.program().position().offset;
   return contour;
-}
-
-std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces) {
-  std::vector<ContourPiece> cut;
-  for (const ContourPiece& piece : pieces) {
-    if (!piece.is_arc()) {
-      cut.push_back(piece);
-      continue;
-    }
-    const bool ccw = piece.kind == MotionKind::arc_ccw;
-    const double sweep = 360 * piece.turns;
-    // angle in degrees of the arc's start point, positive in the arc's direction of rotation
-    const double begin = (ccw ? 1 : -1) * angle_deg(piece.from - piece.center);
-    double done = 0;
-    for (double quarter = 90 * (std::floor(begin / 90) + 1); done < 1; quarter += 90) {
-      const double part = quarter - begin < sweep ? (quarter - begin) / sweep : 1;
-      ContourPiece section = piece;
-      section.from = piece.at(done);
-      section.to = piece.at(part);
-      section.turns = piece.turns * (part - done);
-      cut.push_back(section);
-      done = part;
-    }
-  }
-  return cut;
 }
 
 Status emit(Emitter& m, const ContourPiece& piece, Vec2 shift) {

@@ -1,0 +1,187 @@
+// G70, G71, G72 and G73 of Fanuc's lathes: their words in both formats, and the cycles that execute the passes (spec/fanuc-t 9).
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/code_literals.h"
+#include "base/tolerance.h"
+#include "control/fanuc/fanuc.h"
+#include "control/fanuc/geometry/sides.h"
+#include "control/fanuc/lathe/lathe.h"
+#include "control/fanuc/lathe/lathe_words.h"
+#include "control/fanuc/lathe/rough_passes.h"
+#include "control/fanuc/turning/turning.h"
+#include "control/fanuc/turning/turning_contour.h"
+#include "control/fanuc/turning/turning_plane.h"
+#include "control/macro_b/dialect/blocks.h"
+
+namespace kadr::fanuc {
+namespace {
+
+// passes of a cycle; a program that asks for more has a mistake in its depth
+constexpr double most_passes = 1e6;
+
+/// Executes RoughPasses or PatternPasses, one motion at a time.
+template <class Passes>
+class RepetitiveRun final : public SteppedCycleValue<RepetitiveRun<Passes>> {
+ public:
+  RepetitiveRun(Passes passes, std::optional<Position> after) : passes_(std::move(passes)), after_(after) {}
+
+  Result<bool> next(Emitter& m) override {
+    const auto step = passes_.next();
+    if (!step) return false;
+    if (length(step->motion.to - step->motion.from) > tol::level || step->motion.turns > 0.5) KADR_TRY(emit(m, step->motion, {}));
+    if (step->ends_pass) end_pass(m);
+    return true;
+  }
+
+  /// 9.1: the program goes on behind the figure, if the figure follows the cycle.
+  Status finish(Interpreter& m) const override {
+    if (after_) m.flow.jump(*after_);
+    return {};
+  }
+
+ private:
+  Passes passes_;
+  std::optional<Position> after_;
+};
+
+std::optional<Position> place_after(const Contour& contour) { return contour.follows ? std::optional(contour.contour_end) : std::nullopt; }
+
+/// Returns the allowance δ = (Δw, Δu/2) of the block (9.1).
+Vec2 allowance(const BlockContext& m) {
+  const bool diameter = fanuc_of(m).settings.axes[m.modal.axes.second].diameter;
+  return {m.length_value('W'), m.length_value('U') / (diameter ? 2 : 1)};
+}
+
+bool is_cycle_block(const BlockContext& m) { return m.has('P') || m.has('Q') || m.has('D'); }
+
+Status words_missing(const Call& call) { return fail(alarm(AlarmId::figure_words, call.where)); }
+
+/// First block of G71 or G72: Δd is U in G71 and W in G72, both radii or lengths (9.2, 9.4).
+Status set_rough(BlockContext& m, const Call& call, char depth) {
+  RepetitiveMemory& memory = fanuc_of(m).state.turning.repetitive;
+  if (!m.has(depth) && !m.has('R')) return words_missing(call);
+  if (m.has(depth) && !(m.value(depth) > 0)) return fail(alarm(AlarmId::figure_depth, m.where(depth)));
+  // INFERRED: a negative escape is as wrong as a negative depth
+  if (m.has('R') && !(m.value('R') >= 0)) return fail(alarm(AlarmId::figure_depth, m.where('R')));
+  if (m.has(depth)) memory.depth = m.length_value(depth);
+  if (m.has('R')) memory.back = m.length_value('R');
+  return {};
+}
+
+/// Returns the number that a word means as a count (9.5): R3, R3. and the old form R0.003 are 3. alarms pattern_repeats
+Result<std::uint32_t> count_of(const BlockContext& m, char letter) {
+  constexpr double old_unit = 1000;
+  const Word& w = *m.word(letter);
+  double count = digits_of(m, letter);
+  if (w.counted == 0 && count < 1) count *= old_unit;
+  const double whole = std::round(count);
+  if (!(whole >= 1) || whole > most_passes || std::fabs(count - whole) > tol::whole_number)
+    return fail(alarm(AlarmId::pattern_repeats, w.where));
+  return static_cast<std::uint32_t>(whole);
+}
+
+/// First block of G73: Δi is U, Δk is W, d is R; Δi is a radius (9.5).
+Status set_pattern(BlockContext& m, const Call& call) {
+  RepetitiveMemory& memory = fanuc_of(m).state.turning.repetitive;
+  if (!m.has('U') && !m.has('W') && !m.has('R')) return words_missing(call);
+  if (m.has('R')) {
+    const auto passes = count_of(m, 'R');
+    if (!passes) return fail(passes.error());
+    memory.passes = *passes;
+  }
+  if (m.has('U')) memory.relief_second = m.length_value('U');
+  if (m.has('W')) memory.relief_first = m.length_value('W');
+  return {};
+}
+
+Status figure_fault(FigureFault fault, std::uint32_t block, const Call& call) {
+  switch (fault) {
+    case FigureFault::none: return {};
+    case FigureFault::first_axis: return fail(alarm(AlarmId::figure_not_monotone, call.where, double(block)));
+    case FigureFault::second_axis: return fail(alarm(AlarmId::figure_not_monotone_second, call.where, double(block)));
+    case FigureFault::over_start: return fail(alarm(AlarmId::figure_over_start, call.where, double(block)));
+    case FigureFault::first_block: return fail(alarm(AlarmId::figure_first_block, call.where, double(block)));
+  }
+  return {};
+}
+
+Status rough_cycle(Interpreter& m, const Call& call) {
+  const RepetitiveMemory& memory = fanuc_of(m).state.turning.repetitive;
+  const RepetitiveSettings& settings = fanuc_of(m).settings.repetitive;
+  RoughPasses::Plan plan;
+  plan.depth = m.has('D') ? step_of(m, 'D') : memory.depth.value_or(settings.depth);
+  plan.back = memory.back.value_or(settings.back);
+  plan.clearance = settings.clearance;
+  if (!(plan.depth > 0)) return fail(alarm(AlarmId::figure_depth, call.where));
+  const auto contour = read_drawing(m, call);
+  if (!contour) return fail(contour.error());
+  const AxisMask both = 1u << m.modal.axes.first | 1u << m.modal.axes.second;
+  RoughFigure::Settings shape;
+  shape.facing = call.row->arg == 72.7_g;
+  shape.pockets = (contour->first_named & both) == both;  // 9.3
+  shape.allowance = allowance(m);
+  shape.reversal_permitted = settings.reversal;
+  RoughFigure figure(contour->pieces, shape);
+  KADR_TRY(figure_fault(figure.fault(), figure.fault_block(), call));
+  if (figure.deepest() / plan.depth > most_passes) return fail(alarm(AlarmId::figure_depth, call.where));
+  plan.along_figure = !(shape.pockets ? settings.leaves_out_second : settings.leaves_out_first);
+  KADR_TRY(m.feed_known(call.where));
+  suspend_side(m);
+  m.running = std::make_unique<RepetitiveRun<RoughPasses>>(RoughPasses(std::move(figure), plan), place_after(*contour));
+  return {};
+}
+
+Status pattern_cycle(Interpreter& m, const Call& call) {
+  const RepetitiveMemory& memory = fanuc_of(m).state.turning.repetitive;
+  const RepetitiveSettings& settings = fanuc_of(m).settings.repetitive;
+  PatternPasses::Plan plan;
+  plan.allowance = allowance(m);
+  plan.relief = {memory.relief_first.value_or(settings.relief.x), memory.relief_second.value_or(settings.relief.y)};
+  plan.passes = memory.passes.value_or(static_cast<std::uint32_t>(settings.passes >= 1 ? settings.passes : 0));
+  if (m.has('D')) {  // one-block format: I, K and D, which are not kept (INFERRED)
+    plan.relief = {m.length_value('K'), m.length_value('I')};
+    const auto passes = count_of(m, 'D');
+    if (!passes) return fail(passes.error());
+    plan.passes = *passes;
+  }
+  if (plan.passes == 0) return fail(alarm(AlarmId::pattern_repeats, call.where));
+  auto contour = read_drawing(m, call);
+  if (!contour) return fail(contour.error());
+  if (contour->pieces.front().is_arc()) return figure_fault(FigureFault::first_block, contour->pieces.front().block, call);
+  KADR_TRY(m.feed_known(call.where));
+  const auto after = place_after(*contour);
+  suspend_side(m);
+  m.running = std::make_unique<RepetitiveRun<PatternPasses>>(PatternPasses(std::move(contour->pieces), plan), after);
+  return {};
+}
+
+/// The cycles are executed in the plane, in which the program's coordinates are those of the machine.
+Status in_plane(const BlockContext& m, const Call& call) {
+  if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
+  return {};
+}
+
+}  // namespace
+
+Status lathe_rough(Interpreter& m, const Call& call) {
+  KADR_TRY(in_plane(m, call));
+  if (!is_cycle_block(m)) return set_rough(m, call, call.row->arg == 72.7_g ? 'W' : 'U');
+  return rough_cycle(m, call);
+}
+
+Status lathe_pattern(Interpreter& m, const Call& call) {
+  KADR_TRY(in_plane(m, call));
+  if (!is_cycle_block(m)) return set_pattern(m, call);
+  return pattern_cycle(m, call);
+}
+
+Status lathe_finish(Interpreter& m, const Call& call) {
+  KADR_TRY(in_plane(m, call));
+  restart_side(m);
+  return finish(m, call);
+}
+
+}  // namespace kadr::fanuc
