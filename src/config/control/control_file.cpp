@@ -154,6 +154,18 @@ Bases bases_of(const toml::table& table, const std::string& over) {
   return {base, {}};
 }
 
+/// Prepares a file that is laid over a control of another maker: the file gives that control no alarm numbers, and a code that means
+/// something of its own (key `does`) keeps nothing of the other maker's code of the same name.
+void lay_on_other_maker(toml::table& under, toml::table& over) {
+  over.erase("alarms");
+  for (const std::string_view section : {"g", "m"}) {
+    toml::table *const below = under[section].as_table(), *const own = over[section].as_table();
+    if (below == nullptr || own == nullptr) continue;
+    for (const auto& [key, row] : *own)
+      if (row.is_table() && row.as_table()->contains("does")) below->erase(key.str());
+  }
+}
+
 /// Returns the table of a file, merged over the tables of the controls that it extends.
 ///   over  id of the control over which the file is laid, in place of the base that the file names; empty: the base that the file names
 Table merged(Table table, const std::string& file, From from, Below& below, const FileAccess* door, const std::string& over = {}) {
@@ -179,8 +191,7 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   }
   auto under = merged(std::move(*base_table), name, from, below, door, base_over);
   if (!under) return under;
-  // A file that is laid over the control of another maker gives that control no alarm numbers
-  if (!over.empty()) table->erase("alarms");
+  if (!over.empty()) lay_on_other_maker(*under, *table);
   // The keys `aliases`, `guess` and `systems` belong to the base control only, so a control that extends it does not inherit them
   for (const std::string_view own : {"aliases", "guess", "systems"}) under->erase(own);
   if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>())

@@ -8,6 +8,7 @@
 #include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "config/control/drill_steps.h"
+#include "control/fanuc/drilling/drilling_axis.h"
 #include "control/fanuc/drilling/drilling_run.h"
 #include "control/fanuc/drilling/pattern.h"
 #include "control/fanuc/fanuc.h"
@@ -15,6 +16,7 @@
 #include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/lathe/lathe.h"
+#include "control/fanuc/lathe/lathe_words.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
 
@@ -34,47 +36,6 @@ std::int16_t cycle_row(const BlockContext& m) {
 /// (18.0, INFERRED).
 bool moves_by_code(const BlockContext& m) {
   return m.has_code({Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::thread, Function::turning_simple});
-}
-
-/// Returns the drilling direction of a cycle for the plane in force as a number: 1 for X, 2 for Y, 3 for Z.
-int drilling_direction(const BlockContext& m, const CodeRow& cycle) {
-  if (m.def.behaviour.lathe != Lathe::none) return drills_on_side(cycle) ? 1 : 3;         // spec/haas-st 7
-  if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1: drilling is always along Z
-  return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
-}
-
-bool has_direction(const BlockContext& m, std::size_t axis, int direction) {
-  const int role = fanuc_of(m).settings.axes[axis].role;
-  return role == direction || role == direction + 4;
-}
-
-/// Returns the block's word for an axis of the drilling direction, which gives the bottom of the hole; nullptr if there is no such word.
-///   alarms  not_together: words of both the main and the parallel axis (18.0 does not say), address_twice
-Result<const Word*> bottom_word(const BlockContext& m, const CodeRow& cycle) {
-  const int direction = drilling_direction(m, cycle);
-  const Word* found = nullptr;
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
-    const Word& w = m.block->words[i];
-    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
-    const std::size_t axis = m.def.address(w.address).axis;
-    if (!has_direction(m, axis, direction)) continue;
-    if (found != nullptr && m.def.address(found->address).axis == axis) return fail(alarm(AlarmId::address_twice, w.where, w.address));
-    if (found != nullptr) return fail(alarm(AlarmId::not_together, w.where, m.block->text_of(found->where), m.block->text_of(w.where)));
-    found = &w;
-  }
-  return found;
-}
-
-/// Returns the axis of the bottom word. Without that word, returns the drilling axis of the cycle in force. INFERRED: if no cycle is in
-/// force, returns the main axis of the drilling direction, or -1 if the channel lacks this axis.
-int drilling_axis(const BlockContext& m, const CodeRow& cycle, const Word* bottom) {
-  if (bottom != nullptr) return m.def.address(bottom->address).axis;
-  const int direction = drilling_direction(m, cycle);
-  if (const std::size_t axis = fanuc_of(m).state.drilling.axis; drilling_on(m) && has_direction(m, axis, direction))
-    return static_cast<int>(axis);
-  for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (fanuc_of(m).settings.axes[a].role == direction) return static_cast<int>(a);
-  return -1;
 }
 
 /// Executes one block with a drilling cycle: stores its words, computes the levels, executes operation 1 and starts the other operations.
@@ -204,7 +165,8 @@ class Drilling {
     if (m_.has('I') && !percent) memory_.shift.x = m_.length_value('I');
     if (m_.has('J')) memory_.shift.y = m_.length_value('J');
     if (m_.has('K') && !m_.def.behaviour.repeats_by_k) memory_.shift.z = m_.length_value('K');
-    if (m_.has('Q') && by_q()) memory_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: the sign of Q has no effect
+    if (m_.has('Q') && by_q())
+      memory_.peck = std::fabs(is_lathe() ? step_of(m_, 'Q') : m_.length_value('Q'));  // spec/fanuc 10.5: the sign of Q has no effect
     else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), memory_.peck));
     if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), memory_.clearance));
     if (m_.has('P') && m_.def.behaviour.dwell_unit != DwellUnit::seconds) {
@@ -349,7 +311,7 @@ int drills_along(const BlockContext& m) {
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
   if (row.letter == 'M' && fanuc_of(m).settings.part_code != 0 && tenth == 10 * fanuc_of(m).settings.part_code)
     macro_b_of(m).state.parts_done += 1;  // 13.1: this M code counts a finished part
-  if (row.letter == 'M' && m.def.behaviour.lathe == Lathe::haas) note_run_out(fanuc_of(m), row);
+  if (row.letter == 'M' && is_haas(m)) note_run_out(fanuc_of(m), row);
   note_mirror_code(m, row);
   if (row.group != fanuc_of(m).motion_group) return;
   // 19.1: a code of group 1 ends the simple turning cycle

@@ -33,6 +33,8 @@ Status set_turret_offset(Emitter& m, const Call& call);
 /// Returns true if the word L of G10 means the table of turning tools: L1, L10 and L11 on a Haas.
 bool is_turret_table(const BlockContext& m, std::uint32_t l);
 
+/// Returns true if the control is that of a Haas lathe.
+bool is_haas(const BlockContext& m);
 /// Returns true for a drilling cycle of a Haas along X: G241 to G249, G195, G196 (spec/haas-st 7.2, 7.3).
 bool drills_on_side(const CodeRow& row);
 /// Called after each executed M code of a Haas: M23 switches the run-out of threads on, M24 off (spec/haas-st 5).

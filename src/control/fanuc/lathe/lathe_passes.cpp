@@ -21,8 +21,6 @@ constexpr double tool_angles[] = {80, 60, 55, 30, 29, 0};
 
 bool is_tool_angle(double angle) { return std::find(std::begin(tool_angles), std::end(tool_angles), angle) != std::end(tool_angles); }
 
-bool is_haas(const BlockContext& m) { return m.def.behaviour.lathe == Lathe::haas; }
-
 /// Returns true for a cycle in the format of one block (9.10). Its words D, I, K do not exist in the format of two blocks, which a Haas
 /// does not have.
 bool is_one_block(const BlockContext& m) { return is_haas(m) || m.has('D') || m.has('I') || m.has('K'); }

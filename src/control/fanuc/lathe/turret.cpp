@@ -152,7 +152,7 @@ Result<OffsetPlace> offset_place(const BlockContext& m) {
 
 bool is_turret_table(const BlockContext& m, std::uint32_t l) {
   constexpr std::uint32_t haas_wear[] = {1, 11};
-  return m.def.behaviour.lathe == Lathe::haas && (l == haas_geometry || l == haas_wear[0] || l == haas_wear[1]);
+  return is_haas(m) && (l == haas_geometry || l == haas_wear[0] || l == haas_wear[1]);
 }
 
 Status set_turret_offset(Emitter& m, const Call& call) {

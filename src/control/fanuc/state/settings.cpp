@@ -83,6 +83,7 @@ void read_haas_lathe(Settings& s, const ParameterSource& p, const std::vector<st
   for (std::size_t a = 0; a < names.size() && a < max_axes; ++a) s.axes[a].diameter = names[a].starts_with('X');
   s.approach = CompensationApproach::square;  // spec/haas-st 8
   l.wear_shifts = true;  // an offset takes effect with the next motion, and causes no motion of its own (spec/haas-st 3)
+  l.is_yasnac = macro_b::whole_parameter(p.value("coordinates_of", 0)) == 2;
   l.inch_at_start = p.value("inch_at_start", 0) != 0;
   l.run_out = p.value("run_out_leads", 0);
   const double times = p.value("tap_back_times", 0);

@@ -47,6 +47,7 @@ struct SpindleSettings {
 struct LatheSettings {
   bool is_lathe = false;
   bool is_haas = false;            // the lathe has a control of Haas, whose words and cycles differ (spec/haas-st)
+  bool is_yasnac = false;          // Haas setting 33 is 2: R1 of G71 and G72 means pockets (spec/haas-st 6.2)
   bool inch_at_start = false;      // Haas setting 9: G20 is in force at power-on
   bool offset_one_digit = false;   // 5002#0 LD1: the last digit alone of T is the offset number
   bool geometry_by_tool = false;   // 5002#1 LGN: the geometry offset has the number of the tool, not of the offset

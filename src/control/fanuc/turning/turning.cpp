@@ -156,7 +156,7 @@ Status possible(const BlockContext& m, const Call& call) {
 
 /// Returns the letter of the taper of a simple cycle: R, on a Haas I, and K in G94 (spec/haas-st 5).
 char taper_letter(const BlockContext& m, const Call& call) {
-  if (m.def.behaviour.lathe != Lathe::haas) return 'R';
+  if (!is_haas(m)) return 'R';
   return call.row->arg == 79.7_g ? 'K' : 'I';
 }
 
