@@ -17,13 +17,9 @@ constexpr double path_chord = 2e-4;           // greatest deviation of chords fr
 constexpr double nose_chord = 1e-3;           // the same for the nose, mm; it only shows where a path ends: walls are exact
 constexpr double least_depth = 0.01;          // mm; contact that is shallower is not a finding
 constexpr double on_axis = 1e-6;              // mm; a drill this near to the axis is on it
-constexpr double reach = 0.05;                // mm; means of loads are taken over at least twice this length of path
-constexpr std::size_t max_waiting = 100'000;  // greatest number of motions stored until the work coordinates of the blank are known
-constexpr std::size_t max_findings = 1000;    // greatest number of findings that are listed; further findings are only counted
-
-AlarmId fault_of_part(ToolPart part) {
-  return part == ToolPart::holder ? AlarmId::holder_in_stock : part == ToolPart::shank ? AlarmId::shank_in_stock : AlarmId::beyond_flutes;
-}
+constexpr double load_reach = 0.05;           // mm; means of loads are taken over at least twice this length of path
+constexpr std::size_t most_stored = 100'000;  // greatest number of motions stored until the work coordinates of the blank are known
+constexpr std::size_t most_listed = 1000;     // greatest number of findings that are listed; further findings are only counted
 
 }  // namespace
 
@@ -34,8 +30,8 @@ TurnedCutting::TurnedCutting(const CutJob& job, TurnedJob turned, const AxisRole
       stock_(std::move(turned.blank)),
       tool_(job.tool),
       spindles_(job.spindle),
-      loads_(reach),
-      air_(reach) {
+      loads_(load_reach),
+      air_(load_reach) {
   for (TurnedRegion& fixture : turned.fixtures) fixtures_.emplace_back(std::move(fixture));
   loads_.on_block = [this](const BlockLoad& load) {
     if (on_block) on_block(load);
@@ -151,7 +147,7 @@ Status TurnedCutting::consume(const Step& step, const MachineTime& time) {
   moved.begins = time.begins, moved.seconds = time.seconds;
   if (zero_) return cut(moved), Status();
   waiting_.push_back(std::move(moved));
-  if (waiting_.size() >= max_waiting) zero_ = waiting_.back().path.origin, release_waiting();
+  if (waiting_.size() >= most_stored) zero_ = waiting_.back().path.origin, release_waiting();
   return {};
 }
 
@@ -223,13 +219,13 @@ void TurnedCutting::count(const Moved& moved, double volume, double way) {
   if (rate_.use != moved.use) rate_ = {};
   rate_.use = moved.use;
   rate_.volume += volume, rate_.seconds += moved.seconds, rate_.length += way;
-  if (rate_.length < 2 * reach || !(rate_.seconds > 0)) return;
+  if (rate_.length < 2 * load_reach || !(rate_.seconds > 0)) return;
   tool.greatest_rate = std::max(tool.greatest_rate, rate_.volume / rate_.seconds);
   rate_ = {0, 0, 0, moved.use};
 }
 
 void TurnedCutting::keep(const CutFinding& finding) {
-  if (result_.collisions.size() >= max_findings) {
+  if (result_.collisions.size() >= most_listed) {
     ++result_.not_listed;
     return;
   }
