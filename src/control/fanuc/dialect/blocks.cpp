@@ -227,6 +227,7 @@ Result<bool> before_plan(Interpreter& m) {
   count_increments(m);
   KADR_TRY(check_values(m));
   KADR_TRY(take_bare_words(m));
+  take_corner_letters(m);
   KADR_TRY(five_axis_block(m));
   KADR_TRY(check_words(m));
   KADR_TRY(take_spindle_words(m));

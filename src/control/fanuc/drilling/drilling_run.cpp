@@ -92,7 +92,7 @@ Result<bool> DrillingRun::next(Emitter& m) {
   }
   const DrillStep now = cycle_.steps[at_ - 1];
   if (now == end) {
-    if (job_.release_code != 0) m.emit(MachineFunction{job_.release_code, {}, {}, std::uint8_t{0}});
+    if (job_.clamp_code != 0) m.emit(MachineFunction{job_.clamp_code + 1, {}, {}, std::uint8_t{0}});
     if (job_.release_dwell > 0) m.emit(Dwell{job_.release_dwell});
     single_block(m);
     at_ = 0;
@@ -122,6 +122,7 @@ Status DrillingRun::over_point(Emitter& m, Vec2 point) {
 Status DrillingRun::begin_pass(Emitter& m) {
   if (!job_.points.empty()) KADR_TRY(over_point(m, job_.points[pass_]));
   else if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
+  if (pass_ != 0 && job_.clamp_code != 0) m.emit(MachineFunction{job_.clamp_code, {}, {}, std::uint8_t{0}});
   hole_ = m.position.programmed;
   depth_ = job_.level;
   peck_ = job_.peck;

@@ -26,7 +26,10 @@ void start_turning_memory(Fanuc& fanuc);
 /// Executes T: the turret turns to the tool, and the offset takes effect (spec/fanuc-t 4.1).
 ///   alarms  turret_number; offset_number_large (PS0030)
 Status turret(Emitter& m, const Call& call);
-/// Executes G10 without L: sets the tool offsets (spec/fanuc-t 4.3). alarms table_kind_unknown (PS0031), word_missing
+/// Ends the tool offset without a motion: a reset, if 5003#6 is set (spec/fanuc-t 1.2). The caller then updates the frames.
+void end_turret_offset(BlockContext& m);
+/// Executes G10 without L: sets the tool offsets (spec/fanuc-t 4.3). alarms table_kind_unknown (PS0031), offset_value
+/// (PS0032), word_missing
 Status set_turret_offset(Emitter& m, const Call& call);
 
 /// Executes G83 to G85 on the face and G87 to G89 on the side (spec/fanuc-t 10).

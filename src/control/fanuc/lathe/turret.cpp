@@ -118,6 +118,15 @@ Status turret(Emitter& m, const Call& call) {
   return put_in_force(m, lengths_of(m, t));
 }
 
+void end_turret_offset(BlockContext& m) {
+  m.modal.lengths = {};
+  m.modal.corrector = m.modal.offset_number = m.modal.length_number = 0;
+  UndoableState& state = fanuc_of(m).state;
+  state.wear = {};
+  state.tool_radius = 0;
+  state.nose = 0;
+}
+
 Status set_turret_offset(Emitter& m, const Call& call) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto p = m.whole('P', 0, geometry_from + m.def.behaviour.offsets);
@@ -129,7 +138,7 @@ Status set_turret_offset(Emitter& m, const Call& call) {
   if (*p == geometry_from || number > max_offsets(m) || number >= m.tables.offsets.size())
     return fail(alarm(AlarmId::table_kind_unknown, m.where('P'), double(*p)));
   const auto q = m.has('Q') ? m.whole('Q', 0, 9) : Result<std::uint32_t>(0);
-  if (!q) return fail(q.error());
+  if (!q) return fail(alarm(AlarmId::offset_value, m.where('Q'), 'Q', m.value('Q')));
   ToolOffset& row = m.tables.offsets[number];
   m.journal.keep(row);
   const std::array<double*, 3> lengths = geometry ? std::array<double*, 3>{&row.length_x, &row.length_y, &row.length}
