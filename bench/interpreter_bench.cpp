@@ -68,6 +68,34 @@ void interpret(benchmark::State& state) {
 }
 BENCHMARK(interpret);
 
+constexpr int figure_blocks = 500;
+
+/// Returns a lathe's program that roughs a staircase of 500 blocks by G71 (spec/fanuc-t 9.2).
+std::string staircase() {
+  std::string text = "G0 X320. Z2.\nG71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.2\nN10 G0 X10.\nG1 Z0\n";
+  char line[64];
+  for (int i = 1; i < figure_blocks - 2; ++i) {
+    if (i % 2 == 0) std::snprintf(line, sizeof line, "X%.3f Z%.3f\n", 10 + 0.6 * i, -0.2 * i);
+    else std::snprintf(line, sizeof line, "Z%.3f\n", -0.2 * i);
+    text += line;
+  }
+  return text + "N20 X318.\nM30\n";
+}
+
+/// Measures one whole program with G71: opening, reading the figure, all passes.
+void rough_turning(benchmark::State& state) {
+  static const ControlDef def = *load_control("fanuc-t");
+  const std::string text = staircase();
+  for (auto _ : state) {
+    Control control(def, Setup{}, Program{"staircase", text_source(text), Encoding::utf8}, RunLimits{});
+    ActionBatch batch;
+    Control::State now = Control::State::running;
+    while ((now = control.run(batch)) == Control::State::running) benchmark::DoNotOptimize(batch.size());
+    if (now != Control::State::ended) state.SkipWithError("the program did not end");
+  }
+}
+BENCHMARK(rough_turning);
+
 }  // namespace
 }  // namespace kadr
 

@@ -281,6 +281,21 @@ describe("colours, circles, the eye", () => {
     expect(pivot.clone().sub(eye.target).dot(eye.right)).toBeCloseTo(30, 6);
     expect(pivot.clone().sub(eye.target).dot(eye.up)).toBeCloseTo(20, 6);
   });
+  it("on a lathe Z runs to the right and X up, and a side stays a side", () => {
+    const eye = new Eye();
+    eye.set_lathe(true);
+    eye.look("front");
+    expect(eye.right.z).toBeCloseTo(1, 9);
+    expect(eye.up.x).toBeCloseTo(1, 9);
+    expect(eye.towards.y).toBeCloseTo(1, 9);
+    eye.look_from([1, 0, 0]);
+    expect(eye.towards.x).toBeCloseTo(1, 9);
+    eye.look_from([0.5, 0.5, Math.SQRT1_2]);
+    expect(eye.towards.z).toBeCloseTo(Math.SQRT1_2, 9);
+    eye.set_lathe(false);
+    eye.look("front");
+    expect(eye.up.z).toBeCloseTo(1, 9);
+  });
 });
 
 it("what limits take of the feed is told in per cent", () => {

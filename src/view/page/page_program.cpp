@@ -66,7 +66,8 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
   const bool whole = source->bytes() <= max_text;
   PageJson control = {{"id", opened->def->id},
                       {"name", lang == Lang::ru ? opened->def->name.ru : opened->def->name.en},
-                      {"guessed", opened->guess.has_value()}};
+                      {"guessed", opened->guess.has_value()},
+                      {"lathe", opened->def->behaviour.lathe != Lathe::none}};
   control["decisive"] = !opened->guess || opened->guess->decisive;
   control["why"] = !opened->guess ? std::string() : lang == Lang::ru ? opened->guess->reason_ru : opened->guess->reason_en;
   PageJson json = {{"file", file},

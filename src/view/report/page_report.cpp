@@ -35,6 +35,7 @@ PageJson control_json(const OpenedProgram& o, Lang lang) {
   return {{"id", o.def->id},
           {"name", ru ? o.def->name.ru : o.def->name.en},
           {"guessed", o.guess.has_value()},
+          {"lathe", o.def->behaviour.lathe != Lathe::none},
           {"decisive", !o.guess || o.guess->decisive},
           {"why", !o.guess ? std::string()
                   : ru     ? o.guess->reason_ru

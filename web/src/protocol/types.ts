@@ -45,7 +45,7 @@ export interface Opened {
   size: number;
   digest: string;
   encoding: string;
-  control: { id: string; name: string; guessed: boolean; decisive?: boolean | string; why?: string };
+  control: { id: string; name: string; guessed: boolean; lathe?: boolean; decisive?: boolean | string; why?: string };
   machine: string | null;
   setup: string | null;
   editable: boolean;

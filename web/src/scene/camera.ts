@@ -1,5 +1,5 @@
-// The viewpoint: a target, two angles, half the height of the picture in mm. Z is up.
-import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
+// The viewpoint: a target, two angles, half the height of the picture in mm. Z is up; on a lathe X is up and Z to the right.
+import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Quaternion, Vector3 } from "three";
 import type { Point } from "./types";
 
 const fov = 30,
@@ -15,6 +15,11 @@ const directions: Record<string, [number, number]> = {
   iso: [quarter / 2, iso_pitch],
 };
 
+/// The rotation of the views of a mill to those of a lathe: the front view has Z to the right and X up, as lathes show their part.
+const lathe_views = new Quaternion().setFromRotationMatrix(
+  new Matrix4().makeBasis(new Vector3(0, 0, 1), new Vector3(0, -1, 0), new Vector3(1, 0, 0)),
+);
+
 /// Target, angles and box are in machine coordinates; the camera is in the part's frame, in which everything is drawn.
 export class Eye {
   readonly target = new Vector3();
@@ -22,6 +27,7 @@ export class Eye {
   readonly carry_back = new Matrix4();
   half = 100;
   flat = true;
+  readonly turned = new Quaternion(); // from the axes of a mill's views to the machine's axes
   private yaw = quarter / 2;
   private pitch = iso_pitch;
   private width = 1;
@@ -38,19 +44,23 @@ export class Eye {
     return (2 * this.half) / this.height;
   }
   get right(): Vector3 {
-    return new Vector3(Math.cos(this.yaw), Math.sin(this.yaw), 0);
+    return new Vector3(Math.cos(this.yaw), Math.sin(this.yaw), 0).applyQuaternion(this.turned);
   }
   get towards(): Vector3 {
     return new Vector3(
       Math.cos(this.pitch) * Math.sin(this.yaw),
       -Math.cos(this.pitch) * Math.cos(this.yaw),
       Math.sin(this.pitch),
-    );
+    ).applyQuaternion(this.turned);
   }
   get up(): Vector3 {
     return this.towards.cross(this.right);
   }
 
+  /// Shows the views as a lathe does, or as a mill does.
+  set_lathe(on: boolean): void {
+    this.turned.copy(on ? lathe_views : new Quaternion());
+  }
   set_carry(carry: Matrix4): void {
     this.carry_back.copy(this.carry.copy(carry)).invert();
   }
@@ -71,7 +81,8 @@ export class Eye {
     [this.yaw, this.pitch] = directions[view] ?? [this.yaw, this.pitch];
   }
   /// Looks from the side that `towards` points to.
-  look_from([x, y, z]: Point): void {
+  look_from(side: Point): void {
+    const [x, y, z] = new Vector3(...side).applyQuaternion(this.turned.clone().invert()).toArray();
     if (Math.hypot(x, y) > 1e-9) this.yaw = Math.atan2(x, -y);
     this.pitch = Math.atan2(z, Math.hypot(x, y));
   }

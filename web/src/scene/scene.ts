@@ -101,6 +101,7 @@ export class Scene {
   private fitted_at = 0;
   private own_view = false; // the user has rotated, moved or zoomed since the last fit
   private joints: Joint[] = []; // that rotate the part
+  private is_lathe = false;
   private machine_at: { at: Point; tool: number } | null = null; // of a machine that is on
 
   constructor(
@@ -351,6 +352,14 @@ export class Scene {
     this.refit();
   }
 
+  /// Shows a lathe's part as lathes do: the front view has X up and Z to the right.
+  setLathe(on: boolean): void {
+    if (on === this.is_lathe) return;
+    this.is_lathe = on;
+    this.eye.set_lathe(on);
+    this.view(on ? "front" : "iso");
+  }
+
   /// Shows everything from that side.
   look_from(towards: Point): void {
     this.eye.look_from(towards);
@@ -559,7 +568,13 @@ export class Scene {
       return p.w > 0 ? [(p.x / p.w + 1) * 0.5 * this.width, (1 - p.y / p.w) * 0.5 * this.height] : null;
     };
     const axis = (v: Vector3): Point => v.toArray() as Point;
-    return { right: axis(this.eye.right), up: axis(this.eye.up), towards: axis(this.eye.towards), place };
+    return {
+      right: axis(this.eye.right),
+      up: axis(this.eye.up),
+      towards: axis(this.eye.towards),
+      turned: (p: Point) => axis(new Vector3(...p).applyQuaternion(this.eye.turned)),
+      place,
+    };
   }
 }
 

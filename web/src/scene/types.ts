@@ -71,6 +71,7 @@ export interface View {
   right: Point;
   up: Point;
   towards: Point;
+  turned(p: Point): Point; // from the axes of a mill's views to the machine's: other axes are up on a lathe
   place(p: Point): [number, number] | null;
 }
 export interface SceneEvents {

@@ -88,6 +88,7 @@ export class ScenePane {
     app.on_opening.on(() => this.scene?.setJoints([]));
     app.on_done.on((done) => this.scene?.setJoints(done.joints));
     app.on_opened.on((o) => this.scene?.setBounds(o.bounds ?? null));
+    app.on_opened.on((o) => this.scene?.setLathe(o.control.lathe ?? false));
     this.scene?.setColour(this.colour);
     this.scene?.setProjection(this.flat);
     this.scene?.setFilter(this.filter);

@@ -47,12 +47,18 @@ export class ViewCube {
     const key = [...view.right, ...view.up].map((v) => v.toFixed(3)).join();
     if (key === this.drawn) return;
     this.drawn = key;
+    const shown = faces.map((f) => ({
+      view: f.view,
+      normal: view.turned(f.normal),
+      right: view.turned(f.right),
+      up: view.turned(f.up),
+    }));
     const at = (p: Point): string =>
       `${(middle + half * dot(p, view.right)).toFixed(2)},${(middle - half * dot(p, view.up)).toFixed(2)}`;
     fill(
       this.element,
       ...axes(view),
-      ...faces.filter((f) => dot(f.normal, view.towards) > edge_on).map((f) => this.face(f, view, at)),
+      ...shown.filter((f) => dot(f.normal, view.towards) > edge_on).map((f) => this.face(f, view, at)),
       ...this.corners(view),
     );
     this.element.setAttribute("aria-label", t("views"));

@@ -136,7 +136,6 @@ Status lathe_thread(Emitter& m, const Call& call) {
   job.chamfer = job.data.chamfer * *lead;
   const SinCos out = sincos_deg(fanuc_of(m).settings.lathe.run_out_angle);
   job.rise = out.sin / out.cos;
-  job.flank_forward = true;
   suspend_side(m);
   return start_thread(m, job);
 }

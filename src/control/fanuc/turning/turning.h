@@ -62,8 +62,6 @@ struct ThreadJob {
   double lead = 0;     // thread lead, mm
   double chamfer = 0;  // length of the run-out, mm
   double rise = 1;     // tangent of the run-out's angle
-  // the start of a pass is moved along the first axis so that one flank cuts: true: in the direction of the cut, false: against it
-  bool flank_forward = false;
   bool zigzag = false;  // every second pass is moved to the other side, so that the flanks cut in turn
   bool even = false;    // the depth of pass n is first·n
   TurningMemory data;

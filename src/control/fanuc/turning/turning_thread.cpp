@@ -51,8 +51,9 @@ class ThreadRun final : public SteppedCycleValue<ThreadRun> {
   }
 
  private:
-  /// Returns a pass at the depth `depth_` below the crest. The start point of the pass is moved along the first axis, so that only one
-  /// flank cuts.
+  /// Returns a pass at the depth `depth_` below the crest. The start point of the pass is moved along the first axis in the direction of the
+  /// cut, so that only the leading flank cuts. INFERRED: the NCT manual refers to the lathe's G76, and its clone Tomatech and LinuxCNC move
+  /// the start in this direction, against spec/nct 19.B.
   ThreadPass pass() const {
     const Vec2& s = job_.start;
     const Vec2& t = job_.target;
@@ -61,7 +62,7 @@ class ThreadRun final : public SteppedCycleValue<ThreadRun> {
     const bool turned = job_.zigzag && static_cast<std::uint64_t>(pass_) % 2 == 0;
     const double level = t.y + away * (job_.height - depth_);
     const SinCos half = sincos_deg(job_.data.tool_angle / 2);
-    const double shift = (job_.flank_forward != turned ? -1 : 1) * depth_ * half.sin / half.cos;
+    const double shift = (turned ? 1 : -1) * depth_ * half.sin / half.cos;
     const double thread_length = std::fabs(s.x - t.x);
     const double taper = job_.taper * (thread_length + shift) / thread_length;
     return {{s.x + back * shift, level + taper}, {t.x, level}, s, job_.lead, 0, job_.chamfer, job_.rise};
