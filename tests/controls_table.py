@@ -44,7 +44,7 @@ UNITS = enum_names(DEF_H, "WordUnit")
 BEHAVIOUR = {name: kind for kind, name in struct_fields(DEF_H, "Behaviour")}
 PARAMETER_ENUMS = {"scope": enum_names(DEF_H, "ParameterScope"), "type": enum_names(DEF_H, "ParameterType"),
                    "when": enum_names(DEF_H, "ParameterClass")}
-ENUMS = {name: enum_names(DEF_H, name) for name in ("ArcCenters", "ArcRadius", "LengthOffset", "CompensationEntry", "DwellUnit", "LaterWord", "CycleWords")}
+ENUMS = {"Lathe": enum_names(header("config/control/code_system.h"), "Lathe")} | {name: enum_names(DEF_H, name) for name in ("ArcCenters", "ArcRadius", "LengthOffset", "CompensationEntry", "DwellUnit", "LaterWord", "CycleWords")}
 END_OF_BLOCK = enum_names(GRAMMAR_H, "EndOfBlock")
 OPERATIONS = set(enum_names(header("lang/expression/operation.h"), "Op"))
 EXPRESSION_KEYS = {"operators": {"does", "binding"}, "functions": {"does", "operand", "of_two"}, "relations": {"does"}}
@@ -55,7 +55,7 @@ GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"wor
                                                                              "expression"}
 GRAMMAR_KEYS |= {"macro", "formal_parameter", "parameters_in", "label", "section", "most_codes"}
 TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "expressions", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
-            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess", "encoding", "convert"}
+            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess", "encoding", "convert", "systems"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "point", "format", "phase", "second", "many"}
 CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "in_part", "told",
@@ -171,6 +171,8 @@ class Control:
         check(self.t.get("spec"), self.at("spec is missing"))
         if "parameters" in self.t:
             check(is_parameters(CONTROLS / f"{self.t['parameters']}.toml"), self.at("parameters: no table", self.t["parameters"]))
+        for parameter, control in self.t.get("systems", {}).items():
+            check((CONTROLS / f"{control}.toml").is_file(), self.at("systems", parameter, control, "is no control"))
         check(1 <= len(self.axes) <= MOST_AXES, self.at("axes: 1 to", MOST_AXES))
         check(len(set(self.axes)) == len(self.axes), self.at("axes: one stands twice"))
         for axis in self.t.get("axes", {}).get("rotary", []):
@@ -343,6 +345,14 @@ def is_parameters(path):
     return path.name.endswith("-parameters.toml") and path.is_file()
 
 
+def parameters_of(table):
+    """Returns a table of parameters with the rows of the table that it extends; a row that is false removes that of the base."""
+    if "extends" not in table:
+        return table
+    rows = parameters_of(load(CONTROLS / f"{table['extends']}.toml")) | {key: row for key, row in table.items() if key != "extends"}
+    return {key: rows[key] for key in sorted(rows) if rows[key] is not False}
+
+
 def check_parameters(name, table):
     numbers = [key for key in table if key.isdigit()]
     check(list(table)[:len(numbers)] == sorted(numbers), f"{name}: rows by number, then those without one")
@@ -431,7 +441,8 @@ def lay(under, over):
             under[key] = value
         elif key == "variables" and isinstance(under.get(key), list):  # a row of the same symbol replaces the row below it
             symbols = {row.get("symbol") for row in value} - {None}
-            under[key] = value + [row for row in under[key] if row.get("symbol") not in symbols]
+            rows = [row for row in value if set(row) != {"symbol"}]   # a row of a symbol alone removes the row below it
+            under[key] = rows + [row for row in under[key] if row.get("symbol") not in symbols]
         elif value is False and isinstance(under.get(key), dict):  # the control removes this row
             del under[key]
         else:
@@ -488,7 +499,7 @@ def main():
         elif path.name == "dialects.toml":
             check_dialects(table, {other.stem for other in CONTROLS.glob("*.toml")})
         elif is_parameters(path):
-            check_parameters(path.name, table)
+            check_parameters(path.name, parameters_of(table))
         else:
             Control(path, table).check()
         print(f"{path.name}: {'ok' if len(failures) == before else 'FAILED'}")

@@ -226,7 +226,7 @@ void RadiusCompensation::watch_path(const Held& held, Vec2 end_vector) {
   const Motion& m = held.motion;
   // The smaller radius is used, because with a new D word the tool radius changes during the motion.
   const double radius = std::min(m.tool_radius, now_.radius_before);
-  // Where compensation stops, the tip of a turning tool is at the programmed point, and the nose centre beside it (fanuc-t 7.4).
+  // Where compensation stops, the tip of a turning tool is at the programmed point, the nose centre is not (fanuc-t 7.4).
   const Vec2 center = held.tip - nose_vector(m.nose, m.tool_radius);
   const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector + center;
   const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;

@@ -10,6 +10,7 @@
 #include "control/fanuc/drilling/drilling.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis_functions.h"
+#include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/words/data_lines.h"
 #include "control/functions/functions.h"

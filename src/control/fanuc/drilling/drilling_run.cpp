@@ -76,7 +76,8 @@ Status DrillingRun::check(const Emitter& m) const {
   const bool turns = is_tap() ? tapping_rpm(m) > 0 : fanuc_of(m).spindle_rpm(m) > 0;
   if (turns) return {};
   const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
-  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
+  const bool by_unit = m.def.behaviour.dwell_unit == DwellUnit::seconds;  // elsewhere P is always a time
+  const bool revolutions = by_unit && m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
   // Without rotation only a tap and a dwell in revolutions would never end (8), so other cycles are not checked.
   if (!is_tap() && !(dwells && revolutions)) return {};
   const auto code = static_cast<std::size_t>(m.def.row_of('G', job_.code));

@@ -100,7 +100,7 @@ void take_corner_letters(BlockContext& m) {
 
 bool has_corner_words(const BlockContext& m) {
   if (m.def.behaviour.lathe == Lathe::none) return false;
-  // Beside G40, G41 and G42, I and K are the direction of the wall (spec/fanuc-t 7.3)
+  // With G40, G41 or G42, I and K are the direction of the wall (spec/fanuc-t 7.3)
   constexpr std::uint64_t directions = letter_bit('I') | letter_bit('K');
   const std::uint64_t corner_bits = letter_bit('R') | (m.has_code({Function::radius_side}) ? 0 : directions);
   return (m.block->letters & corner_bits) != 0;
