@@ -44,7 +44,8 @@ UNITS = enum_names(DEF_H, "WordUnit")
 BEHAVIOUR = {name: kind for kind, name in struct_fields(DEF_H, "Behaviour")}
 PARAMETER_ENUMS = {"scope": enum_names(DEF_H, "ParameterScope"), "type": enum_names(DEF_H, "ParameterType"),
                    "when": enum_names(DEF_H, "ParameterClass")}
-ENUMS = {"Lathe": enum_names(header("config/control/code_system.h"), "Lathe")} | {name: enum_names(DEF_H, name) for name in ("ArcCenters", "ArcRadius", "LengthOffset", "CompensationEntry", "DwellUnit", "LaterWord", "CycleWords")}
+ENUMS = {name: enum_names(DEF_H, name) for name in ("ArcCenters", "ArcRadius", "LengthOffset", "CompensationEntry", "DwellUnit", "LaterWord", "CycleWords")}
+ENUMS["Lathe"] = enum_names(header("config/control/code_system.h"), "Lathe")
 END_OF_BLOCK = enum_names(GRAMMAR_H, "EndOfBlock")
 OPERATIONS = set(enum_names(header("lang/expression/operation.h"), "Op"))
 EXPRESSION_KEYS = {"operators": {"does", "binding"}, "functions": {"does", "operand", "of_two"}, "relations": {"does"}}
@@ -171,8 +172,6 @@ class Control:
         check(self.t.get("spec"), self.at("spec is missing"))
         if "parameters" in self.t:
             check(is_parameters(CONTROLS / f"{self.t['parameters']}.toml"), self.at("parameters: no table", self.t["parameters"]))
-        for parameter, control in self.t.get("systems", {}).items():
-            check((CONTROLS / f"{control}.toml").is_file(), self.at("systems", parameter, control, "is no control"))
         check(1 <= len(self.axes) <= MOST_AXES, self.at("axes: 1 to", MOST_AXES))
         check(len(set(self.axes)) == len(self.axes), self.at("axes: one stands twice"))
         for axis in self.t.get("axes", {}).get("rotary", []):
@@ -345,19 +344,17 @@ def is_parameters(path):
     return path.name.endswith("-parameters.toml") and path.is_file()
 
 
-def parameters_of(table):
-    """Returns a table of parameters with the rows of the table that it extends; a row that is false removes that of the base."""
-    if "extends" not in table:
-        return table
-    rows = parameters_of(load(CONTROLS / f"{table['extends']}.toml")) | {key: row for key, row in table.items() if key != "extends"}
-    return {key: rows[key] for key in sorted(rows) if rows[key] is not False}
-
-
 def check_parameters(name, table):
+    base = table.pop("extends", None)
+    below = load(CONTROLS / f"{base}.toml") if base is not None else {}
+    check(below is not None and is_parameters(CONTROLS / f"{base}.toml") if base is not None else True, f"{name}: extends no table: {base}")
     numbers = [key for key in table if key.isdigit()]
     check(list(table)[:len(numbers)] == sorted(numbers), f"{name}: rows by number, then those without one")
     for key, row in table.items():
         where = f"{name}: {key}"
+        if row is False:  # removes the row of the table that this one extends
+            check(key in below, f"{where}: {base} has no such row")
+            continue
         check(re.fullmatch(r"\d{4}|[A-Z]+", key), f"{where}: four digits, or capital letters")
         check_keys(row, PARAMETER_KEYS, where)
         check_text(row, where)
@@ -425,12 +422,22 @@ def check_alarm_calls(table):
                 check(len(parts) - 1 >= args, f"{path.relative_to(ROOT)}:{line}: {call[1]} gives {len(parts) - 1} arguments, its text uses {args}")
 
 
-def merged(path, depth=0):
-    """Lays a control's table over the one it extends, as src/config does."""
+def merged(path, depth=0, over=""):
+    """Lays a control's table over the one it extends, as src/config does. `over`: the control in place of the one that the file extends."""
     table = load(path)
     if table is None or "extends" not in table or depth == 8:
         return table
-    under = merged(CONTROLS / f"{table['extends']}.toml", depth + 1)
+    base, base_over = over or table["extends"], ""
+    if isinstance(base, list):
+        base_over, base = base
+    under = merged(CONTROLS / f"{base}.toml", depth + 1, base_over)
+    if over and under is not None:  # no alarm numbers of another maker; a code with a meaning of its own keeps nothing of the code below it
+        table.pop("alarms", None)
+        for section in ("g", "m"):
+            for key, row in table.get(section, {}).items():
+                if isinstance(row, dict) and "does" in row:
+                    under.get(section, {}).pop(key, None)
+            table[section] = {key: row for key, row in table.get(section, {}).items() if row is not False or key in under.get(section, {})}
     return None if under is None else lay(under, table)
 
 
@@ -441,8 +448,8 @@ def lay(under, over):
             under[key] = value
         elif key == "variables" and isinstance(under.get(key), list):  # a row of the same symbol replaces the row below it
             symbols = {row.get("symbol") for row in value} - {None}
-            rows = [row for row in value if set(row) != {"symbol"}]   # a row of a symbol alone removes the row below it
-            under[key] = rows + [row for row in under[key] if row.get("symbol") not in symbols]
+            # a row with nothing but a symbol only removes the row below it
+            under[key] = [row for row in value if set(row) != {"symbol"}] + [row for row in under[key] if row.get("symbol") not in symbols]
         elif value is False and isinstance(under.get(key), dict):  # the control removes this row
             del under[key]
         else:
@@ -499,7 +506,7 @@ def main():
         elif path.name == "dialects.toml":
             check_dialects(table, {other.stem for other in CONTROLS.glob("*.toml")})
         elif is_parameters(path):
-            check_parameters(path.name, parameters_of(table))
+            check_parameters(path.name, table)
         else:
             Control(path, table).check()
         print(f"{path.name}: {'ok' if len(failures) == before else 'FAILED'}")
