@@ -48,7 +48,7 @@ CASES = [
     ('G0 X1.5\nG1 Z-2 F100\nM30\n', 'perhaps mach3: a weak guess, nothing decides'),
     ('', 'perhaps mach3: a weak guess, nothing decides (the text tells little)'),
     ('%\nO0012\nG18 G20 G40 G99\nT0101\nG50 S2500\nG96 S600 M03\nG00 X2.1 Z.1\nG71 U.08 R.02\nG71 P1 Q2 U.02 W.005 F.012\nN1 G00 X1.\nN2 G01 Z-1.\nM30\n%\n',
-     'looks like fanuc-t (line 4: T0101, line 8: G71U.08R, line 9: G71P1Q2'),
+     'looks like fanuc-t (line 4: T0101, line 5: G50S2500, line 8: G71U.08R'),
     ('(T0404 - 3/4 BORING BAR)\nT0404\nG50 S900\nG96 S400 M03\nG00 X1.2 Z.1\nG01 Z-1.5 F.006\nU-.02\nG00 Z.5\nM30\n', 'fanuc-t'),
     ('O0044(PART OFF)\nT0606\nG97 S900 M03\nG99\nG00 X32. Z-25.\nG75 R0.2\nG75 X0 P2000 F0.05\nG00 X60.\nG28 U0 W0\nM30\n', 'looks like fanuc-t'),
     ('O9010(BAR PULLER)\nT1010\nG98\nG00 X0 Z5.\nG01 Z-15. F500.\nM11\nG04 U1.5\nG01 W40. F1000.\nM10\nG99\nG28 U0\nM99\n', 'fanuc-t'),
