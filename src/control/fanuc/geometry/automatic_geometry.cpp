@@ -62,10 +62,11 @@ Status corner_words(const BlockContext& m, CornerData& contour) {
   return {};
 }
 
-/// Checks that a motion with a corner neither begins nor ends compensation on a lathe (spec/fanuc-t 3.4). alarms corner_at_side_change
+/// Checks that a motion with a corner neither begins nor ends compensation on a lathe of Fanuc (spec/fanuc-t 3.4).
+///   alarms  corner_at_side_change
 Status no_side_change(const BlockContext& m, const Call& call) {
   const SideStep step = fanuc_of(m).state.side_step;
-  if (m.def.behaviour.lathe == Lathe::none || (step != SideStep::begins && step != SideStep::ends)) return {};
+  if (m.def.behaviour.lathe != Lathe::fanuc || (step != SideStep::begins && step != SideStep::ends)) return {};
   return fail(alarm(AlarmId::corner_at_side_change, call.where));
 }
 
