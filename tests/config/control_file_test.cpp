@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -20,7 +21,12 @@ class BuiltIn : public testing::TestWithParam<std::string> {
  protected:
   const ControlDef def = load_control(GetParam()).value();
 };
-INSTANTIATE_TEST_SUITE_P(controls, BuiltIn, testing::ValuesIn(built_in_controls()), [](const auto& test) { return test.param; });
+/// Returns the name of a control as a name of a test, which has no hyphen.
+std::string test_name(std::string id) {
+  std::replace(id.begin(), id.end(), '-', '_');
+  return id;
+}
+INSTANTIATE_TEST_SUITE_P(controls, BuiltIn, testing::ValuesIn(built_in_controls()), [](const auto& test) { return test_name(test.param); });
 
 TEST(built_in_controls, are_the_files_of_the_folder_that_have_an_id) {
   const auto ids = built_in_controls();
@@ -214,6 +220,25 @@ TEST(extends, keeps_what_the_changed_row_does_not_name) {
   const ControlDef own = extended(head + "[g]\n\"00\" = { en = \"fast\" }\n");
   EXPECT_EQ(code_of(own, 'G', 0)->function, Function::rapid);
   EXPECT_EQ(code_of(own, 'G', 0)->text.en, "fast");
+}
+
+TEST(extends, two_lays_the_rows_of_the_second_over_the_first) {
+  const ControlDef own = extended(
+      "id = \"own\"\nextends = [\"haas\", \"fanuc-t\"]\n[groups]\n\"22\" = { initial = \"G100\", en = \"a\", ru = \"b\" }\n"
+      "[m]\n\"29\" = false\n");
+  EXPECT_EQ(own.lineage, (std::vector<std::string>{"fanuc-t", "haas", "fanuc", "nct"}));
+  EXPECT_NE(code_of(own, 'M', 970), nullptr) << "M97 of haas";
+  EXPECT_EQ(code_of(own, 'M', 970)->function, Function::call_local);
+  EXPECT_EQ(code_of(own, 'G', 710)->function, Function::turning_cycle) << "G71 of fanuc-t, not the holes of haas";
+  EXPECT_EQ(own.behaviour.lathe, Lathe::fanuc);
+  EXPECT_EQ(own.alarms.at(AlarmId::code_unknown).number, load_control("haas").value().alarms.at(AlarmId::code_unknown).number);
+  EXPECT_FALSE(own.alarms.contains(AlarmId::figure_words)) << "fanuc-t gives its alarm numbers to no other control";
+}
+
+TEST(errors, of_an_unreadable_base) {
+  for (const char* base : {"[\"haas\"]", "5", "[\"haas\", 5]", "[\"haas\", \"fanuc-t\", \"nct\"]"})
+    EXPECT_NE(refusal("id = \"own\"\nextends = " + std::string(base) + "\n").find("own.toml:2"), std::string::npos) << base;
+  EXPECT_NE(refusal("id = \"own\"\nextends = [\"nap\", \"fanuc-t\"]\n").find("nap"), std::string::npos);
 }
 
 TEST(errors, name_file_line_and_thing) {

@@ -1,5 +1,7 @@
 #pragma once
 // Loads controls/*.toml as ControlDef. A user's own file may extend a built-in control: `extends = "gost"`, followed by the differences.
+// `extends = ["haas", "fanuc-t"]` extends two: the rows of the second are laid over the first, in place of the base that the second names,
+// and the alarm numbers are those of the first.
 
 #include <string>
 #include <string_view>
@@ -20,7 +22,7 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name, cons
 /// Like load_control(), but reads the control from TOML text; messages use `file` as the name.
 tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file);
 
-/// Returns the ids of the built-in controls.
+/// Returns the ids of the built-in controls, sorted.
 std::vector<std::string> built_in_controls();
 
 /// Returns the aliases of the built-in controls, sorted, each with its id: "haas-vf" → "haas".

@@ -1,4 +1,4 @@
-// G70, G71, G72 and G73 of Fanuc's lathes: their words in both formats, and the cycles that execute the passes (spec/fanuc-t 9).
+// G70, G71, G72 and G73 of lathes: their words in both formats, and the cycles that execute the passes (spec/fanuc-t 9, spec/haas-st 6).
 
 #include <cmath>
 #include <memory>
@@ -55,7 +55,14 @@ Vec2 allowance(const BlockContext& m) {
   return {m.length_value('W'), m.length_value('U') / (diameter ? 2 : 1)};
 }
 
-bool is_cycle_block(const BlockContext& m) { return m.has('P') || m.has('Q') || m.has('D'); }
+/// Returns the rough allowance (K, I) of a Haas, which the levels leave besides δ (spec/haas-st 6.2).
+Vec2 rough_allowance(const BlockContext& m) { return is_haas(m) ? Vec2{m.length_value('K'), m.length_value('I')} : Vec2{}; }
+
+/// Returns true if R1 makes the cycle one of type II, which it does on a Haas with setting 33 YASNAC (spec/haas-st 6.2).
+bool asks_for_pockets(const BlockContext& m) { return fanuc_of(m).settings.lathe.is_yasnac && m.has('R') && digits_of(m, 'R') == 1; }
+
+/// Returns true for the block that executes the cycle. A Haas has no other (spec/haas-st 6).
+bool is_cycle_block(const BlockContext& m) { return is_haas(m) || m.has('P') || m.has('Q') || m.has('D'); }
 
 Status words_missing(const Call& call) { return fail(alarm(AlarmId::figure_words, call.where)); }
 
@@ -97,6 +104,19 @@ Status set_pattern(BlockContext& m, const Call& call) {
   return {};
 }
 
+/// Checks that G41 or G42 puts the nose on that side of the figure on which the cycle begins. The figure and the way back to the start
+/// point S enclose the stock, so S is on the left of the figure if they are traversed counter-clockwise. INFERRED: the manual names no
+/// rule, and the nose radius may be 0 (9.11). alarms figure_wrong_side (PS0328)
+Status check_side(const BlockContext& m, const std::vector<ContourPiece>& figure, const Call& call) {
+  if (m.modal.radius_side == 0 || m.def.behaviour.lathe != Lathe::fanuc) return {};
+  const Vec2 start = figure.front().from;
+  double area = 0;
+  for (const ContourPiece& piece : figure) area += cross(piece.from - start, piece.to - start);
+  const bool left = (m.modal.radius_side < 0) != m.transform.reverses(m.modal.axes);
+  const bool wrong = std::fabs(area) > tol::level && (area > 0) != left;
+  return wrong ? fail(alarm(AlarmId::figure_wrong_side, call.where)) : Status();
+}
+
 Status figure_fault(FigureFault fault, std::uint32_t block, const Call& call) {
   switch (fault) {
     case FigureFault::none: return {};
@@ -108,6 +128,12 @@ Status figure_fault(FigureFault fault, std::uint32_t block, const Call& call) {
   return {};
 }
 
+/// Drops a rapid motion at the end of the figure of a Haas. INFERRED: the Q block of real programs is G00 G40 with the way off the part,
+/// and leads back along Z (spec/haas-st 6.1, 6.3); in G71 to G73 the way back to the start point takes its place.
+void drop_departure(const BlockContext& m, Contour& contour) {
+  if (is_haas(m) && contour.pieces.size() > 1 && contour.pieces.back().kind == MotionKind::rapid) contour.pieces.pop_back();
+}
+
 Status rough_cycle(Interpreter& m, const Call& call) {
   const RepetitiveMemory& memory = fanuc_of(m).state.turning.repetitive;
   const RepetitiveSettings& settings = fanuc_of(m).settings.repetitive;
@@ -116,13 +142,18 @@ Status rough_cycle(Interpreter& m, const Call& call) {
   plan.back = memory.back.value_or(settings.back);
   plan.clearance = settings.clearance;
   if (!(plan.depth > 0)) return fail(alarm(AlarmId::figure_depth, call.where));
-  const auto contour = read_drawing(m, call);
+  auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
+  drop_departure(m, *contour);
+  KADR_TRY(check_side(m, contour->pieces, call));
   const AxisMask both = 1u << m.modal.axes.first | 1u << m.modal.axes.second;
   RoughFigure::Settings shape;
   shape.facing = call.row->arg == 72.7_g;
-  shape.pockets = (contour->first_named & both) == both;  // 9.3
-  shape.allowance = allowance(m);
+  shape.pockets = (contour->first_named & both) == both || asks_for_pockets(m);  // 9.3
+  const Vec2 rough = rough_allowance(m);
+  shape.allowance = allowance(m) + rough;
+  shape.levels_from_start = is_haas(m);
+  if (rough != Vec2{}) plan.further = -1.0 * rough;
   shape.reversal_permitted = settings.reversal;
   RoughFigure figure(contour->pieces, shape);
   KADR_TRY(figure_fault(figure.fault(), figure.fault_block(), call));
@@ -150,7 +181,9 @@ Status pattern_cycle(Interpreter& m, const Call& call) {
   if (plan.passes == 0) return fail(alarm(AlarmId::pattern_repeats, call.where));
   auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
+  drop_departure(m, *contour);
   if (contour->pieces.front().is_arc()) return figure_fault(FigureFault::first_block, contour->pieces.front().block, call);
+  KADR_TRY(check_side(m, contour->pieces, call));
   KADR_TRY(m.feed_known(call.where));
   const auto after = place_after(*contour);
   suspend_side(m);
@@ -160,6 +193,8 @@ Status pattern_cycle(Interpreter& m, const Call& call) {
 
 /// The cycles are executed in the plane, in which the program's coordinates are those of the machine.
 Status in_plane(const BlockContext& m, const Call& call) {
+  // spec/haas-st 6.2: G18 must be in force
+  if (is_haas(m) && m.modal.plane != Plane::zx) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   return {};
 }
