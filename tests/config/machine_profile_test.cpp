@@ -54,7 +54,7 @@ TEST(machine_profile, lathes) {
 
 TEST(machine_profile, unknown_names_the_known) {
   EXPECT_EQ(load_machine("planer").error(),
-            "no machine 'planer'; there are: generic, haas-st20, head-head, head-table, lathe, lathe-cy, linuxcnc-sim, mach3-router, "
+            "no machine 'planer'; there are: generic, haas-st20, head-head, head-table, lathe-cy, lathe, linuxcnc-sim, mach3-router, "
             "nct-vmc, s2c42-mill, table-table, or a file of your own (NAME.toml)");
   EXPECT_EQ(load_machine("/nowhere.toml").error(), "/nowhere.toml: cannot be read: there is no such file");
 }
