@@ -159,7 +159,8 @@ struct MotionPath {
   double turns = 0;    // swept angle / 360°, positive; the radius changes linearly with the angle
   // true: the end point equals the coordinates that the program states; set only on controls with rotated frames (nct 25)
   bool as_programmed = false;
-  bool inch = false;  // the lengths of the block were stated in inches
+  bool inch = false;       // the lengths of the block were stated in inches
+  AxisMask diameters = 0;  // axes whose words state diameters
 };
 
 /// The feed of a motion, and how exactly the motion follows its path.
