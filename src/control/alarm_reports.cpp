@@ -191,8 +191,9 @@ constexpr bool names_an_axis(char letter) { return (letter >= 'A' && letter <= '
 void Interpreter::warn_passed_over(std::uint64_t letters_passed) {
   for (std::uint32_t i = 0; i < block->word_count; ++i)
     if (const Word& w = block->words[i]; w.address != 0 && (letters_passed & letter_bit(w.address)) != 0)
-      warn(names_an_axis(w.address) ? warning(AlarmId::axis_passed_over, w.where, std::string_view(&w.address, 1), block->text_of(w.where))
-                                    : warning(AlarmId::word_passed_over, w.where, block->text_of(w.where)));
+      warn(names_an_axis(w.address) && (letters.axes & letter_bit(w.address)) == 0
+               ? warning(AlarmId::axis_passed_over, w.where, std::string_view(&w.address, 1), block->text_of(w.where))
+               : warning(AlarmId::word_passed_over, w.where, block->text_of(w.where)));
 }
 
 /// Reports the data that the block has changed and that survive power-off.

@@ -147,7 +147,9 @@ void PathWatch::take(const Step& step, Advices& to) {
   look_at_side(step, *motion, to);
   auto piece = piece_of(step, *motion);
   if (piece) look_at_circle(*piece, to);
-  if (piece && last_[0] && last_[1]) look_at_arc(*last_[0], *last_[1], *piece);
+  // On a machine without Y, a lathe, sharp convex arcs at both ends break edges, so nothing follows from their direction
+  const bool has_y = step.roles.xyz[1] >= 0;
+  if (has_y && piece && last_[0] && last_[1]) look_at_arc(*last_[0], *last_[1], *piece);
   if (!piece) close();
   else if (first_.size() < 2) first_.push_back(*piece);
   last_[0] = piece ? last_[1] : std::nullopt;

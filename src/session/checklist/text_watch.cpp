@@ -81,8 +81,14 @@ void TextWatch::add(AlarmId id, const Origin& origin, Span where, Args... args) 
 }
 
 /// Records numbers without a decimal point, which count increments. They are reported if nearly all other numbers of the program have a
-/// decimal point. Blocks with a dwell, a call or table values are not examined, since numbers without a point may be intended there.
+/// decimal point. Blocks with a dwell, a call, table values or a turning cycle are not examined, since numbers without a point may be
+/// intended there.
 void TextWatch::take_points(const Block& block) {
+  const auto is_turning_cycle = [&](const Word& w) {
+    const std::int32_t row = w.code < 0 ? -1 : def_.row_of(w.address, w.code);
+    return row >= 0 && def_.codes[static_cast<std::size_t>(row)].function == Function::turning_cycle;
+  };
+  if (std::any_of(block.words.begin(), block.words.begin() + block.word_count, is_turning_cycle)) return;
   if (has_code(block, 'G', 4_g) || has_code(block, 'G', 10_g) || has_code(block, 'G', 65_g) || has_code(block, 'G', 66_g)) return;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];

@@ -30,12 +30,16 @@ double digits_of(const BlockContext& m, char letter) {
   return w == nullptr ? 0 : w->value * std::pow(10.0, w->counted);
 }
 
+double least_increment(const BlockContext& m) {
+  constexpr double least_mm = 0.001, least_inch = 0.0001;
+  return m.modal.inch ? least_inch * mm_per_inch : least_mm;
+}
+
 double step_of(const BlockContext& m, char letter) {
   const Word* const w = m.word(letter);
   if (w == nullptr) return 0;
   if (w->has_point) return w->value * m.unit_scale();
-  constexpr double least_mm = 0.001, least_inch = 0.0001;
-  return digits_of(m, letter) * (m.modal.inch ? least_inch * mm_per_inch : least_mm);
+  return digits_of(m, letter) * least_increment(m);
 }
 
 Status no_point(const BlockContext& m, char letter) {

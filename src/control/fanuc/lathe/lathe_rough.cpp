@@ -154,7 +154,9 @@ Status rough_cycle(Interpreter& m, const Call& call) {
   shape.allowance = allowance(m) + rough;
   shape.levels_from_start = is_haas(m);
   if (rough != Vec2{}) plan.further = -1.0 * rough;
-  shape.reversal_permitted = settings.reversal;
+  // The control computes in least increments, so a reversal below one increment does not exist for it (INFERRED)
+  const double increment = least_increment(m);
+  shape.reversal_permitted = settings.reversal + Vec2{increment, increment};
   RoughFigure figure(contour->pieces, shape);
   KADR_TRY(figure_fault(figure.fault(), figure.fault_block(), call));
   if (figure.deepest() / plan.depth > most_passes) return fail(alarm(AlarmId::figure_depth, call.where));

@@ -14,6 +14,8 @@ namespace kadr::fanuc {
 
 /// Returns the number of a word as its digits read, even if the reader has already counted it in least increments; 0 without the word.
 double digits_of(const BlockContext& m, char letter);
+/// Returns the least increment of the control in mm: 0.001 mm, in G20 0.0001 in (spec/fanuc 1.3).
+double least_increment(const BlockContext& m);
 /// Returns a length in mm of a word that is written without a decimal point, in least increments: 0.001 mm, in G20 0.0001 in (P, Q, D of
 /// the cycles). A number with a point is a length in the unit in force. Returns 0 without the word.
 double step_of(const BlockContext& m, char letter);
