@@ -32,7 +32,7 @@ from planted.part_program import Program
 HERE = Path(__file__).resolve().parent / 'checklist'
 EXAMPLES = harness.ROOT / 'examples'
 FOUND = HERE / 'found.tsv'
-CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc', 'grbl', 'fanuc', 'haas')
+CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc', 'grbl', 'fanuc', 'haas', 'fanuc-t')
 ENDINGS = ('.nc', '.tap', '.ngc', '.nct')
 SEED, PLACES = 20261128, 4   # the most locations per type of mistake in a program
 LEAST_FOUND = 0.95
@@ -56,7 +56,7 @@ def judge_without(tally, what, name, faults):
 
 # These are reported at the first cut with the tool, which another block, or a subprogram, may make. The unchanged program has
 # no advice.
-AT_FIRST_CUT = {'feed_too_small', 'feed_too_large', 'feed_per_tooth', 'cut_without_spindle', 'length_of_other', 'length_not_called'}
+AT_FIRST_CUT = {'feed_too_small', 'feed_too_large', 'feed_per_tooth', 'cut_without_spindle', 'length_of_other', 'length_not_called', 'surface_speed_unlimited'}
 
 
 def is_open(program, mistake):

@@ -74,6 +74,12 @@ def text_of(channel):
     rotary = set(names) - {'X', 'Y', 'Z'}
     yield from extents(channel, 'cutting', rotary)
     yield from extents(channel, 'all', rotary)
+    if channel['diameters']:
+        yield line('', 'X is a diameter')
+    if speeds := channel['surface_speed_rpm']:
+        least, most = speeds
+        yield line('spindle', f'{number(least, 0)} rev/min and more at constant surface speed, without an upper limit' if most is None
+                   else f'{number(least, 0)} … {number(most, 0)} rev/min at constant surface speed')
     time, least = channel['time'], channel['least_time']
     if time:
         yield line('time', split(time))

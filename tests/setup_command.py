@@ -35,6 +35,14 @@ TEMPLATES = [
     ('numbers of offsets are no figures', 'mach3', '(T1 H1 D1)\nT1 M6\nG43 H1 Z5\nM30\n', {'offsets': {'1': {'length': None}}}, ['line 3 (H1)']),
     ('H of another tool than its number', 'nct', '(T7 D=10)\nT7 M6\nG43 H21 Z50\nG41 D22 G1 X10 Y10 F100\nX20\nG40 X30\nM30\n',
      {'offsets': {'21': {'length': None}, '22': {'radius': 5}}}, ['offsets.22.radius: T7, line 4; proposed from line 1']),
+    ('turning tools: geometry and wear, the nose where it is compensated, and the figure of a cycle counts as executed', 'fanuc-t',
+     '(T0101 DRILL 20)\nG28 U0 W0\nG55 T0101\nG50 S2000\nG96 S150 M3\nG0 X60. Z2.\nG71 U2. R0.5\nG71 P10 Q20 U0.4 W0.1 F0.3\nN10 G0 X20.\nG1 Z-20.\n'
+     'N20 X60.\nT0202\nG42 G0 X20. Z1.\nG1 Z-5. F0.1\nG40 X60.\nM30\n',
+     {'offsets': {'1': {'X': None, 'X_wear': None, 'Z': None, 'Z_wear': None},
+                  '2': {'X': None, 'X_wear': None, 'Z': None, 'Z_wear': None, 'radius': None, 'tip': None}},
+      'work_offsets': {'G55': {'X': None, 'Z': None}}},
+     ['offsets.1: T0101 in line 3; fill in how far the tip is', 'half of what the control shows', 'offsets.2: T0202 in line 12',
+      'offsets.2.radius: line 13; fill in the nose radius and the number of the imaginary tip', 'T1: line 3; diameter 20 by line 1']),
     ('a branch not taken is told, not looked into', 'nct',
      'G54\n#100=1\nIF[#100EQ1]GOTO10\nG55\nG43 H5 Z1\nN10 G0 X1\nM30\nG56\n',
      {'work_offsets': {'G54': {'X': None, 'Y': None, 'Z': None}}}, ['lines 4–5, 8']),
@@ -69,6 +77,9 @@ NOTES = [
     ('correctors', 'correctors', '%\nN1 G90 G00 X10 L17\nN2 M02\n', [], 'L17 (2)'),
     ('correctors, stated', 'correctors', '%\nN1 G90 G00 X10 L17\nN2 M02\n', ['--corrector', '17=0'], None),
     ('gost', 'gost', '%\nN1 G90 G55\nN2 M02\n', [], 'G55 (2)'),
+    ('T of a lathe', 'fanuc-t', 'T0101\nG0 X50. Z2.\nT0203\nM30\n', [], 'T0101 (1), T0203 (3)'),
+    ('T of a lathe, one value stated', 'fanuc-t', 'T0101\nG0 X50. Z2.\nM30\n', ['--tool', '1:l-40'], None),
+    ('the nose radius of a lathe', 'fanuc-t', 'T0101\nG0 X50. Z2.\nG42 X20.\nG1 Z-5. F0.1\nG40 X60.\nM30\n', ['--tool', '1:l-40'], 'offsets.1.radius (3)'),
 ]
 
 # control, program, options, machine position at the end: options override the set-up

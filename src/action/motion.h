@@ -82,13 +82,13 @@ enum class SupportingCurve : std::uint8_t {
 struct CornerData {
   double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: there is no chamfer
   double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: there is no rounding
-  bool square = false;  // the next motion must be a line at a right angle to this one (spec/fanuc-t 3.4)
   SupportingCurve on = SupportingCurve::none;
   Vec2 direction;        // unit vector in the direction of a line whose start or end has to be calculated (SupportingCurve::ray, line)
   double radius = 0;     // radius of an arc whose start has to be calculated (SupportingCurve::circle), mm
   bool farther = false;  // true: if the two path elements have two intersections, the second one is used (Q above 0)
   // true: the programmed plane is mirrored, so an arc that is clockwise in the program is executed counter-clockwise
   bool mirrored = false;
+  bool square = false;  // the next motion must be a line at a right angle to this one (spec/fanuc-t 3.4)
 };
 
 /// Computes the positions of the tool tip and of the rotary axes along a motion with tool centre point control. It is needed only for modes
@@ -159,7 +159,8 @@ struct MotionPath {
   double turns = 0;    // swept angle / 360°, positive; the radius changes linearly with the angle
   // true: the end point equals the coordinates that the program states; set only on controls with rotated frames (nct 25)
   bool as_programmed = false;
-  bool inch = false;  // the lengths of the block were stated in inches
+  bool inch = false;       // the lengths of the block were stated in inches
+  AxisMask diameters = 0;  // axes whose words state diameters
 };
 
 /// The feed of a motion, and how exactly the motion follows its path.

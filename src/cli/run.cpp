@@ -240,7 +240,8 @@ class RunCommand {
                       lang_,
                       view->statistics.caption(lang_),
                       view->statistics.extents().unit(),
-                      {}};
+                      {},
+                      view->statistics.extents().x_is_diameter()};
       for (const std::uint16_t file : view->plot ? view->plot->files() : std::set<std::uint16_t>())
         title.files[file] = name_of_file(channels_[i].control->file_name(file));
       if (view->plot) drawn = view->plot->write(*outputs_.file("--plot"), title);

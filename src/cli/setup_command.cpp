@@ -31,6 +31,8 @@ namespace {
 constexpr std::size_t gives_up_at = 1000;
 constexpr std::size_t max_ranges = 20;  // greatest number of ranges of unexecuted lines that are listed
 
+bool is_lathe(const Job& job) { return job.def->behaviour.lathe != Lathe::none; }
+
 /// The results of executing the program.
 struct ExecutedBlocks {
   std::size_t faults = 0;
@@ -44,7 +46,7 @@ class TemplateMaker {
         control_(control),
         faults_(done.faults),
         lines_(lines_of(control)),
-        proposals_(lines_, comments_in_inches(control, done.moved)) {}
+        proposals_(lines_, comments_in_inches(control, done.moved), is_lathe(job)) {}
 
   SetupTemplate make() {
     for (const Use& use : control_.use().all()) take(use);
@@ -75,8 +77,11 @@ class TemplateMaker {
     const UsedKey used = used_key(use, *job_.def);
     switch (use.kind) {
       case UseKind::tool: tools_.emplace(use.number, use); break;
-      case UseKind::length: offset(use, used, "length"); break;
-      case UseKind::radius: offset(use, used, "radius"); break;
+      case UseKind::length:
+      case UseKind::radius:
+        if (is_lathe(job_)) turret_offset(use, used);
+        else offset(use, used, use.kind == UseKind::radius ? "radius" : "length");
+        break;
       case UseKind::work_zero: zero(use, used); break;
       case UseKind::corrector: corrector(use, used); break;
       case UseKind::variable:
@@ -96,10 +101,33 @@ class TemplateMaker {
     }
   }
 
+  SetupTemplate::Row& offset_row(std::uint32_t number) {
+    const std::string name = std::to_string(number);
+    const auto row = std::find_if(made_.offsets.begin(), made_.offsets.end(), [&](const SetupTemplate::Row& r) { return r.name == name; });
+    return row != made_.offsets.end() ? *row : *made_.offsets.insert(made_.offsets.end(), {name, {}});
+  }
+
+  /// Adds the offset of a turning tool: geometry and wear of its lengths, or the nose radius and the number of the imaginary tip, which
+  /// only nose radius compensation uses (fanuc-t 4.2). A comment's size is not proposed, because it is seldom that of the nose.
+  void turret_offset(const Use& use, const UsedKey& used) {
+    SetupTemplate::Row& row = offset_row(use.number);
+    const auto add = [&](const std::string& key) { row.cells.emplace_back(key, std::nullopt); };
+    const std::string used_at = place(use.origin);
+    if (use.kind == UseKind::radius) {
+      add("radius");
+      add("tip");
+      return note(texts::setup_command_notes::turret_nose, used.key, used_at);
+    }
+    for (const std::string& axis : control_.axes())
+      if (axis == "X" || axis == "Y" || axis == "Z") {
+        add(axis);
+        add(axis + "_wear");
+      }
+    note(texts::setup_command_notes::turret_lengths, used.key, used.word, used_at);
+  }
+
   void offset(const Use& use, const UsedKey& used, const char* what) {
-    const std::string name = std::to_string(use.number);
-    auto row = std::find_if(made_.offsets.begin(), made_.offsets.end(), [&](const SetupTemplate::Row& r) { return r.name == name; });
-    if (row == made_.offsets.end()) row = made_.offsets.insert(made_.offsets.end(), {name, {}});
+    SetupTemplate::Row* const row = &offset_row(use.number);
     // a value that an earlier use has already added to the row of the offset table is not added again
     if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;
     const std::string used_at = (use.tool != 0 ? fmt::format("T{}, ", use.tool) : "") + place(use.origin);
@@ -190,7 +218,7 @@ class TemplateMaker {
 
 /// Returns a tools file for the user to complete. It contains the tools that the program uses.
 std::string tools_text(const Job& job, const Control& control, const MotionUnits& moved) {
-  const ToolProposals proposals(lines_of(control), comments_in_inches(control, moved));
+  const ToolProposals proposals(lines_of(control), comments_in_inches(control, moved), is_lathe(job));
   ToolsTemplate made{std::filesystem::path(job.file).filename().string(), job.lang, {}};
   for (const Use& use : control.use().all()) {
     if (use.kind != UseKind::tool) continue;

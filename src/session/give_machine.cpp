@@ -24,13 +24,21 @@ bool has_kinematics(const Setup& setup) {
                      [](const auto& given) { return given.first.name >= first_parameter && given.first.name <= last_parameter; });
 }
 
-/// Returns the names of the machine's axes: X, Y and Z first, then the other axes of the kinematic chains. In each chain, an axis comes
-/// before the axes that it carries.
-std::vector<std::string> axes_of(const MachineProfile& profile) {
-  std::vector<std::string> axes = {"X", "Y", "Z"};
-  for (const auto* chain : {&profile.chains.tool, &profile.chains.part})
+/// Returns the names of the machine's axes: X, Y and Z first, as far as the kinematic chains have them, then the other axes of the chains.
+/// In each chain, an axis comes before the axes that it carries. On a lathe's control the axis Y comes last, behind C: X Z C Y. INFERRED:
+/// the order of axes beyond X and Z is the machine builder's.
+std::vector<std::string> axes_of(const MachineProfile& profile, bool lathe) {
+  const auto in = [](const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  std::vector<std::string> axes;
+  for (const char* const name : {"X", "Y", "Z"})
+    if (!(lathe && name[0] == 'Y') && (in(profile.chains.tool, name) || in(profile.chains.part, name))) axes.emplace_back(name);
+  const auto& first = lathe ? profile.chains.part : profile.chains.tool;
+  const auto& second = lathe ? profile.chains.tool : profile.chains.part;
+  for (const auto* chain : {&first, &second})
     for (const std::string& name : *chain)
-      if (std::find(axes.begin(), axes.end(), name) == axes.end()) axes.push_back(name);
+      if (!in(axes, name)) axes.push_back(name);
   return axes;
 }
 
@@ -81,7 +89,9 @@ void give_kinematics(Setup& setup, const FiveAxis& five) {
 void give_machine(Setup& setup, const MachineProfile& profile, const ControlDef& control) {
   const bool gives_kinematics =
       profile.chains.given() && control.machine_axes() && has_kinematics_parameters(control) && !has_kinematics(setup);
-  if (gives_kinematics && setup.axes.empty() && setup.channels.empty()) setup.axes = axes_of(profile);
+  const bool lathe = control.behaviour.lathe != Lathe::none;
+  const bool gives_axes = gives_kinematics || (lathe && profile.chains.given());
+  if (gives_axes && setup.axes.empty() && setup.channels.empty()) setup.axes = axes_of(profile, lathe);
   const std::vector<std::string>& axes = setup.axes.empty() ? control.axes : setup.axes;
   for (const std::string& axis : axes) setup.axis_limits[axis] = limits_of(profile, setup, axis);
   if (!gives_kinematics) return;

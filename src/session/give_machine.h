@@ -1,7 +1,7 @@
 #pragma once
 // give_machine: adds to the set-up the values that a machine builder sets on the control, as far as the set-up does not state them. The
-// values come from the machine's file: end positions of the axes and, for a machine with rotary axes, its kinematics (nct N3200 to N3224)
-// and its list of axes.
+// values come from the machine's file: end positions of the axes, for a machine with rotary axes its kinematics (nct N3200 to N3224) and its
+// list of axes, for a lathe's control the list of axes.
 
 #include "config/control/control_def.h"
 #include "config/machine/machine_profile.h"

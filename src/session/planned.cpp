@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "motion/time/estimate.h"
 #include "out/text/lost_time_text.h"
 
 namespace kadr {
@@ -17,7 +18,7 @@ Planned::Planned(const Channel& channel, const MachineProfile& profile, const To
       limits_(motion_limits(profile, channel.setup, axes_)),
       motion_(roles_, limits_, profile.tolerance, stand, [this](const TimedCells& cells) { see(cells); }) {
   motion_.stop_by(stop);
-  motion_.start(channel.setup, axes_);
+  motion_.start(channel.setup, axes_, rates_of(profile, channel.setup, axes_).most_rpm);
 }
 
 void Planned::write_samples(std::FILE* file, SampleOptions options) {

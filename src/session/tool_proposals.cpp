@@ -28,10 +28,12 @@ bool comments_in_inches(const Control& control, const MotionUnits& moved) {
   return std::any_of(ending.modal.begin(), ending.modal.end(), [](const std::string& word) { return word == "G20" || word == "G70"; });
 }
 
-ToolProposals::ToolProposals(const ProgramLines& lines, bool inch) {
+ToolProposals::ToolProposals(const ProgramLines& lines, bool inch, bool lathe) {
   for (const auto& [number, text] : lines)
     for (const std::string& comment : comments_of(text)) {
-      const ToolComment tool_data = read_tool_comment(comment, inch);
+      ToolComment tool_data = read_tool_comment(comment, inch);
+      constexpr std::uint32_t offsets = 100;  // T0101 of a lathe is tool 1 with offset 1
+      if (lathe && tool_data.tool.value_or(0) >= offsets) tool_data.tool = *tool_data.tool / offsets;
       if (tool_data.diameter || tool_data.unsure) read_.push_back({tool_data, number, comment});
     }
 }

@@ -33,8 +33,8 @@ struct ToolProposal {
 
 class ToolProposals {
  public:
-  /// Reads the comments. `inch`: lengths without a unit are in inches; false: in mm.
-  ToolProposals(const ProgramLines& lines, bool inch);
+  /// Reads the comments. `inch`: lengths without a unit are in inches; false: in mm. `lathe`: T0101 in a comment is tool 1.
+  ToolProposals(const ProgramLines& lines, bool inch, bool lathe = false);
 
   /// Returns the proposal for a tool. The first source is a comment anywhere in the program that names the tool and states a diameter. The
   /// second source is a comment next to the block that calls the tool, if that comment names no other tool.

@@ -15,6 +15,9 @@ namespace {
 
 bool is_stated(const Use& use, const UsedKey& used, const std::set<std::string>& stated) {
   if (stated.contains(used.key)) return true;
+  // on a lathe the key is a row of the table, which is stated if any of its values is
+  const auto cell = stated.lower_bound(used.key + ".");
+  if (cell != stated.end() && cell->starts_with(used.key + ".")) return true;
   if (use.kind == UseKind::length || use.kind == UseKind::radius) return stated.contains(used.key + "_wear");
   return use.kind == UseKind::corrector && stated.contains(fmt::format("offsets.{}.radius", use.number));
 }

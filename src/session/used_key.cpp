@@ -16,9 +16,17 @@ std::string name_of_work_offset(std::uint32_t row, const ControlDef& def) {
   return std::to_string(row);
 }
 
+/// A lathe's T word names tool and offset: T0101. The nose radius has no word of its own, so its key stands for it.
+UsedKey of_turret(const Use& use) {
+  const std::string row = fmt::format("offsets.{}", use.number);
+  if (use.kind == UseKind::radius) return {row + ".radius", row + ".radius"};
+  return {row, fmt::format("T{:02}{:02}", use.tool, use.number)};
+}
+
 }  // namespace
 
 UsedKey used_key(const Use& use, const ControlDef& def) {
+  if (has(def, SetupNeeds::lathe_offsets) && (use.kind == UseKind::length || use.kind == UseKind::radius)) return of_turret(use);
   const bool has_h = def.grammar.word('H').known && def.address('H').function != Function::repeat_word;
   switch (use.kind) {
     case UseKind::length: return {fmt::format("offsets.{}.length", use.number), fmt::format("{}{}", has_h ? 'H' : 'D', use.number)};

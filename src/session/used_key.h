@@ -8,7 +8,8 @@
 
 namespace kadr {
 
-/// The key of the value in the set-up ("offsets.1.length", "work_offsets.G54"), and the word that uses it in the program ("H1", "G54").
+/// The key of the value in the set-up ("offsets.1.length", "work_offsets.G54"), and the word that uses it in the program ("H1", "G54"). On
+/// a lathe the key is the row with all lengths of the offset, and the word has tool and offset: "offsets.1", "T0101".
 struct UsedKey {
   std::string key;
   std::string word;

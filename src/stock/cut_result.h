@@ -85,7 +85,7 @@ struct ThreadCut {
 /// Figures of a part that was cut exactly, as a body of revolution.
 struct TurnedResult {
   double surface = 0, machined = 0;  // area of the part's surface, and of what tools have cut of it, mm²
-  /// Motions at feed that cut no body of revolution: with C or Y, or of a driven tool that is not on the axis. They remove nothing.
+  /// Motions at feed that cut no body of revolution: with C or Y, or of a tool that turns off the axis. They remove nothing.
   struct LeftOut {
     Origin origin;          // the first of them
     std::string program{};  // the program file that contains the block; empty if the block is in the main program

@@ -98,7 +98,8 @@ const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const Pro
 
 std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools* file) {
   const ProgramLines lines = lines_of(run.control());
-  const ToolProposals comments(lines, comments_in_inches(run.control(), run.statistics().extents().units()));
+  const ToolProposals comments(lines, comments_in_inches(run.control(), run.statistics().extents().units()),
+                               run.opened().def->behaviour.lathe != Lathe::none);
   std::vector<ProposedTool> tools;
   for (const std::uint32_t number : tools_cutting(run)) {
     const ToolGeometry* const known = file == nullptr ? nullptr : file->tools.find(number);

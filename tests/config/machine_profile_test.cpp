@@ -32,10 +32,30 @@ TEST(machine_profile, built_in_ones_load) {
   EXPECT_EQ(load_machine("s2c42-mill")->axes.at("Z").least, -260);
 }
 
+TEST(machine_profile, lathes) {
+  for (const char* id : {"lathe", "lathe-cy", "haas-st20"}) {
+    const auto profile = load_machine(id);
+    ASSERT_TRUE(profile) << profile.error();
+    EXPECT_EQ(profile->id, id);
+    EXPECT_EQ(profile->most_rpm, 4000) << id;
+    EXPECT_EQ(profile->chains.tool.front(), "Z") << "the bed carries the saddle";
+    EXPECT_EQ(profile->axes.contains("Y"), std::string(id) == "lathe-cy");
+    EXPECT_EQ(profile->axes.contains("C"), std::string(id) == "lathe-cy");
+  }
+  const MachineProfile st20 = load_machine("haas-st20").value();  // the public data sheet
+  EXPECT_EQ(st20.axes.at("X").most - st20.axes.at("X").least, 236);
+  EXPECT_EQ(st20.axes.at("Z").most - st20.axes.at("Z").least, 572);
+  EXPECT_EQ(st20.axes.at("X").rapid, 24000);
+  EXPECT_EQ(st20.axes.at("Z").rapid, 24000);
+  const MachineProfile with_y = load_machine("lathe-cy").value();
+  EXPECT_EQ(with_y.chains.part, std::vector<std::string>{"C"}) << "the spindle carries the part";
+  EXPECT_TRUE(with_y.axes.at("C").joint.rolls_over);
+}
+
 TEST(machine_profile, unknown_names_the_known) {
-  EXPECT_EQ(load_machine("lathe").error(),
-            "no machine 'lathe'; there are: generic, head-head, head-table, linuxcnc-sim, mach3-router, nct-vmc, s2c42-mill, table-table, "
-            "or a file of your own (NAME.toml)");
+  EXPECT_EQ(load_machine("planer").error(),
+            "no machine 'planer'; there are: generic, haas-st20, head-head, head-table, lathe-cy, lathe, linuxcnc-sim, mach3-router, "
+            "nct-vmc, s2c42-mill, table-table, or a file of your own (NAME.toml)");
   EXPECT_EQ(load_machine("/nowhere.toml").error(), "/nowhere.toml: cannot be read: there is no such file");
 }
 

@@ -74,7 +74,7 @@ struct Cycle {
 
   Vec2 start() const { return {z, x}; }
   RoughFigure shape() const { return RoughFigure(motions(figure, start()), {facing, pockets, {w, u / 2}, reversal_permitted}); }
-  RoughPasses passes(bool along_figure = true) const { return RoughPasses(shape(), {depth, back, 0, along_figure}); }
+  RoughPasses passes(bool along_figure = true) const { return RoughPasses(shape(), {depth, back, 0, along_figure, {}}); }
   void expect(const std::string& expected) const {
     ASSERT_EQ(shape().fault(), FigureFault::none);
     expect_motions(all_of(passes()), expected, start());
@@ -180,7 +180,7 @@ TEST(rough_passes, without_the_pass_along_the_figure) {
 /// Two pockets, with a ridge at 13 between them, e = 0.5, 5134 = 1.5: the rapid into the pocket ends 1.5 above the ridge.
 TEST(rough_passes, clearance_before_a_pocket) {
   const Cycle cycle{16, 2, "R 12 2; F 12 -10; F 13 -10; F 12 -20; F 12 -30; F 16 -30", 3.5, 0.5, 0, 0, false, true};
-  const auto found = all_of(RoughPasses(cycle.shape(), {3.5, 0.5, 1.5, false}));
+  const auto found = all_of(RoughPasses(cycle.shape(), {3.5, 0.5, 1.5, false, {}}));
   expect_motions(
       found,
       "R 12.5 2; F 12.5 -10; F 13 -10; F 13.5 -10; R 14.5 -10; F 13 -10; F 12.5 -15; F 12.5 -30; F 16 -30; F 16.5 -30; R 16.5 2; "

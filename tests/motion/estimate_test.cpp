@@ -177,5 +177,41 @@ TEST(estimate, surface_speed) {
   EXPECT_DOUBLE_EQ(estimate.motion(m, Curve(roles, from, m)).seconds, 120);
 }
 
+/// Facing at a constant surface speed of v m/min and a feed of f mm/rev: n = 1000 v / (π D), so the tool moves at f n along the radius, and
+/// from D1 to D2 it needs ∫ dr / (f n) = π (D1² − D2²) / (4000 v f) min.
+double facing_minutes(double d1, double d2, double v, double f) { return pi * (d1 - d2) * (d1 + d2) / (4000 * v * f); }
+
+struct Facing {
+  Facing(double v, double most_rpm, const MachineProfile& machine = {}) : estimate(roles, rates_of(machine, kadr::Setup{}, names)) {
+    SurfaceSpeed law;
+    law.on = true;
+    law.metres = v;
+    law.most = most_rpm;
+    estimate.other({{}, Spindle{SpindleDir::cw, 100, 1, {}, {}}});
+    estimate.other({{}, law});
+  }
+  double seconds(double d1, double d2, double f) {
+    Motion m = straight(feed, {d2 / 2, 0, 0}, f);
+    m.unit = FeedUnit::mm_per_rev;
+    const Axes from{d1 / 2};
+    return estimate.motion(m, Curve(roles, from, m)).seconds;
+  }
+  TimeEstimate estimate;
+};
+
+TEST(estimate, facing_at_constant_surface_speed) {
+  EXPECT_NEAR(Facing(180, 5000).seconds(64, 20, 0.2), 60 * facing_minutes(64, 20, 180, 0.2), 1e-6);
+  EXPECT_NEAR(Facing(180, 5000).seconds(20, 64, 0.2), 60 * facing_minutes(64, 20, 180, 0.2), 1e-6) << "outwards";
+}
+
+// G50 S2500: below D = 1000 v / (π 2500) the speed is constant.
+TEST(estimate, facing_to_the_centre_is_limited_by_the_highest_spindle_speed) {
+  const double v = 180, rpm = 2500, f = 0.2, d = 1000 * v / (pi * rpm);
+  EXPECT_NEAR(Facing(v, rpm).seconds(64, 0, f), 60 * (facing_minutes(64, d, v, f) + d / 2 / (f * rpm)), 1e-6);
+  MachineProfile machine;  // without G50 the spindle of the machine is the limit
+  machine.most_rpm = rpm;
+  EXPECT_NEAR(Facing(v, SurfaceSpeed::no_limit, machine).seconds(64, 0, f), 60 * (facing_minutes(64, d, v, f) + d / 2 / (f * rpm)), 1e-6);
+}
+
 }  // namespace
 }  // namespace kadr::estimate_test

@@ -24,6 +24,21 @@ TEST(spindle_clock, turns_by_its_commands) {
   EXPECT_EQ(clock.turn(clock.per_second(), still(1)).at(1, 0), 0);
 }
 
+// 180 m/min at D 10 would be 5730 rev/min.
+TEST(spindle_clock, the_highest_speed_of_the_machine_limits_constant_surface_speed) {
+  SpindleClock clock;
+  clock.limit(2500);
+  clock.take(act(Spindle{SpindleDir::cw, 100, 1, {}, {}}));
+  SurfaceSpeed law;
+  law.on = true;
+  law.metres = 180;
+  clock.take(Action{{}, law});
+  clock.arrive(Axes{5});
+  EXPECT_DOUBLE_EQ(clock.per_second(), 2500 * 6);
+  clock.arrive(Axes{50});
+  EXPECT_NEAR(clock.per_second(), 6 * 1000 * 180 / (pi * 100), 1e-9);
+}
+
 // A new S while the axes move: motions that were planned before keep the old speed.
 TEST(spindle_clock, a_new_speed_counts_from_what_is_planned_behind_it) {
   SpindleClock clock;

@@ -172,6 +172,34 @@ TEST(plot, writes_svg_and_png) {
   EXPECT_EQ(page_fault("a.pdf"), "a.pdf: a plot is .svg or .png");
 }
 
+// A lathe is drawn with Z to the right and X upwards, in true lengths; the numbers along X are diameters if the program has them.
+TEST(plot, a_lathe_has_one_view) {
+  const std::vector<std::string> xz = {"X", "Z"};
+  Plot plot(xz, 0, {});
+  draw(plot, {action(straight(rapid, {20, 2, 0})), action(straight(feed, {20, -30, 0}, 100)), action(straight(feed, {25, -30, 0}, 100))},
+       AxisRoles::of(xz, 0));
+  EXPECT_EQ(plot.path().points()[2].stroke, Stroke::feed) << "along Z a lathe turns, it does not plunge";
+  EXPECT_EQ(projected(View::zx, {25, 0, -30}), (Vec2{-30, 25}));
+  const auto svg = [&](bool diameters) {
+    const std::string file = (std::filesystem::temp_directory_path() / "kadr_plot_of_a_lathe.svg").string();
+    PlotTitle title{"shaft.nc", "control"};
+    title.x_is_diameter = diameters;
+    auto page = ResultFile::open(file);
+    EXPECT_TRUE(page && plot.write(*page, title) && page->keep());
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    std::filesystem::remove(file);
+    return text;
+  };
+  const std::string with_diameters = svg(true), with_radii = svg(false);
+  EXPECT_NE(with_diameters.find("view-zx"), std::string::npos);
+  EXPECT_EQ(with_diameters.find("view-xy"), std::string::npos);
+  EXPECT_EQ(with_diameters.find("view-isometric"), std::string::npos);
+  EXPECT_NE(with_diameters.find(">X Ø<"), std::string::npos);
+  EXPECT_EQ(with_radii.find("Ø"), std::string::npos);
+  EXPECT_NE(with_diameters.find(">50<"), std::string::npos) << "the radius 25";
+}
+
 TEST(plot, without_motion_it_says_so) {
   const std::string file = (std::filesystem::temp_directory_path() / "kadr_plot_empty.png").string();
   const auto page = ResultFile::open(file);

@@ -120,6 +120,62 @@ TEST(summary, rotary_axes_have_ranges_in_degrees) {
   EXPECT_EQ(moved({straight(feed, {10, 0, 0}, 100)}, 8).text(1, Lang::en).find('A'), std::string::npos) << "it stands";
 }
 
+/// Returns the spindle's commands for a constant surface speed of 180 m/min, X the radius.
+std::vector<Action> surface_speed(double most_rpm) {
+  SurfaceSpeed law;
+  law.on = true;
+  law.metres = 180;
+  law.most = most_rpm;
+  return {{{}, Spindle{SpindleDir::cw, 1000, 1, {}, {}}}, {{}, law}};
+}
+
+Motion diameters(Motion m) {
+  m.diameters = 1;
+  return m;
+}
+
+// A lathe has no Y, and X is shown as it is programmed; the path is a true length.
+TEST(summary, a_lathe_shows_diameters_and_no_y) {
+  Counting run({"X", "Z"}, 0, {});
+  run.take(action(diameters(straight(rapid, {32, 2, 0}))));
+  run.take(action(diameters(straight(feed, {-0.8, 2, 0}, 100))));
+  const std::string text = run.s.text(3, Lang::en);
+  EXPECT_NE(text.find("path, mm        cutting 32.8, rapid 32.062\n"
+                      "cutting, mm     X -1.6 … 64   Z 2 … 2\n"
+                      "all, mm         X -1.6 … 64   Z 0 … 2\n"
+                      "                X is a diameter\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(run.s.text(3, Lang::ru).find("X — диаметр\n"), std::string::npos);
+  EXPECT_EQ(run.s.caption(Lang::en), "cutting, mm:  X -1.6 … 64   Z 2 … 2;   X is a diameter");
+  EXPECT_EQ(run.s.cutting_box().most.x, 32) << "the boxes are true lengths";
+}
+
+TEST(summary, radii_are_shown_if_a_cut_is_programmed_so) {
+  Counting run({"X", "Z"}, 0, {});
+  run.take(action(diameters(straight(feed, {10, 0, 0}, 100))));
+  run.take(action(straight(feed, {20, 0, 0}, 100)));
+  EXPECT_EQ(run.s.caption(Lang::en), "cutting, mm:  X 0 … 20   Z 0 … 0");
+}
+
+// n = 1000 v / (π D), at most the limit: 180 m/min from D 64 to the centre.
+TEST(summary, spindle_speeds_at_constant_surface_speed) {
+  const auto line_of = [](double most_rpm, double to_radius) {
+    Counting run({"X", "Z"}, 0, {}, {{32, 0}, {32, 0}});
+    for (const Action& a : surface_speed(most_rpm)) run.take(a);
+    run.take(action(straight(feed, {to_radius, 0, 0}, 100)));
+    const std::string text = run.s.text(3, Lang::en);
+    const std::size_t at = text.find("spindle ");
+    return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_EQ(line_of(2500, -0.8), "spindle         895 … 2500 rev/min at constant surface speed");
+  EXPECT_EQ(line_of(2500, 16), "spindle         895 … 1790 rev/min at constant surface speed");
+  EXPECT_EQ(line_of(SurfaceSpeed::no_limit, 0), "spindle         895 rev/min and more at constant surface speed, without an upper limit");
+  Counting without({"X", "Z"}, 0, {});
+  without.take(action(straight(feed, {10, 0, 0}, 100)));
+  EXPECT_EQ(without.s.text(1, Lang::en).find("spindle"), std::string::npos);
+}
+
 TEST(summary, durations) {
   EXPECT_EQ(duration_text(0), "0:00.0");
   EXPECT_EQ(duration_text(59.96), "1:00.0");

@@ -55,7 +55,7 @@ Taken taken(const std::vector<Action>& actions, bool snapshot) {
   return all;
 }
 
-const Motion& motion_of(const Action& action) { return std::get<Motion>(action.what); }
+const Motion& motion_in_action(const Action& action) { return std::get<Motion>(action.what); }
 
 RC_GTEST_PROP(queued_corner, of_two_lines_keeps_the_radius, ()) {
   const double radius = any_number(1, 9), side = *rc::gen::element(1.0, -1.0), turn = any_number(-170, 170);
@@ -130,7 +130,7 @@ RC_GTEST_PROP(queued_compensation, what_it_remembers_is_a_value, ()) {
   if (plain.fault) RC_ASSERT(plain.fault->origin.line == again.fault->origin.line);
   RC_ASSERT(plain.actions.size() == again.actions.size());
   for (std::size_t i = 0; i < plain.actions.size(); ++i)
-    if (const auto* const m = std::get_if<Motion>(&plain.actions[i].what)) RC_ASSERT(m->to == motion_of(again.actions[i]).to);
+    if (const auto* const m = std::get_if<Motion>(&plain.actions[i].what)) RC_ASSERT(m->to == motion_in_action(again.actions[i]).to);
 }
 
 /// The path of a turning tool's tip is the centre's path shifted as a
@@ -161,7 +161,7 @@ RC_GTEST_PROP(queued_compensation, a_tip_goes_beside_the_centre, ()) {
   for (std::size_t i = 0; i < centre.actions.size(); ++i) {
     const auto* const a = std::get_if<Motion>(&centre.actions[i].what);
     if (a == nullptr) continue;
-    const Motion& b = motion_of(tip.actions[i]);
+    const Motion& b = motion_in_action(tip.actions[i]);
     const Vec2 now{b.to[0] - a->to[0], b.to[1] - a->to[1]};
     if (!shift) shift = now;
     RC_ASSERT(length(now - *shift) < 1e-9);
@@ -177,7 +177,7 @@ TEST(queued_compensation, without_a_side_nothing_changes) {
   c.arc(10, 0.25, 0, 0);
   const Taken all = taken({action_of(c.motions[0]), action_of(Dwell{1}), action_of(c.motions[1])}, false);
   ASSERT_EQ(all.actions.size(), 3U);
-  EXPECT_EQ(motion_of(all.actions[2]).to, c.motions[1].to);
+  EXPECT_EQ(motion_in_action(all.actions[2]).to, c.motions[1].to);
 }
 
 /// Messages and tool selections come out at once. A dwell comes after the motion that it follows, before the corner.
@@ -191,12 +191,12 @@ TEST(queued_compensation, order) {
                            action_of(c.motions[2]), action_of(CompensationBreak{true})},
                           false);
   ASSERT_EQ(all.actions.size(), 6U);
-  EXPECT_EQ(motion_of(all.actions[0]).to[1], 5);
+  EXPECT_EQ(motion_in_action(all.actions[0]).to[1], 5);
   EXPECT_TRUE(std::holds_alternative<Message>(all.actions[1].what));
-  EXPECT_EQ(motion_of(all.actions[2]).to[0], 70);
+  EXPECT_EQ(motion_in_action(all.actions[2]).to[0], 70);
   EXPECT_TRUE(std::holds_alternative<Dwell>(all.actions[3].what));
-  EXPECT_EQ(motion_of(all.actions[4]).kind, MotionKind::arc_cw);
-  EXPECT_NEAR(motion_of(all.actions[5]).to[0], 75, 1e-9);
+  EXPECT_EQ(motion_in_action(all.actions[4]).kind, MotionKind::arc_cw);
+  EXPECT_NEAR(motion_in_action(all.actions[5]).to[0], 75, 1e-9);
 }
 
 /// The alarm is reported at the block that is being read, and the motion that cannot be built is not executed.

@@ -6,6 +6,9 @@ import json
 import re
 
 
+LATHES = ('fanuc-t',)   # controls of lathes
+
+
 @dataclasses.dataclass
 class Mistake:
     kind: str
@@ -439,10 +442,31 @@ KINDS = (point_dropped, digit_too_many, unit_changed, offset_of_another, length_
          arc_mistakes, rapid_mistakes, low_mistakes, flow_mistakes, end_mistakes, mode_mistakes)
 
 
+def lathe_mistakes(p):
+    """The limit of the spindle speed, the speed of a thread, and the face of the chuck nearer than the program expects it."""
+    limits = [b for b in p.blocks if b.code('G', 50) and b.find('S')]
+    surface = next((b for b in p.blocks if b.code('G', 96)), None)
+    if limits and surface:
+        at = {b.at for b in limits}
+        cut = next(b for b in p.blocks[surface.at:] if b.motion == 1 and (b.has('X') or b.has('Z')))
+        yield plant('no G50 S', 'surface_speed_unlimited', cut.at - sum(a < cut.at for a in at), [l for i, l in enumerate(p.lines) if i not in at])
+    rapid = ((p.setup or {}).get('machine') or {}).get('Z', {}).get('rapid')
+    thread = next((b for b in p.blocks if b.code('G', 32) or (b.code('G', 76) and b.find('X'))), None)
+    if thread and rapid:
+        speed = next(b for b in reversed(p.blocks[:thread.at]) if b.find('S'))
+        for more in (1.1, 4):
+            yield plant('S of a thread', 'thread_beyond_rapid', thread.at, p.replaced(speed.at, speed.find('S'), f'S{round(rapid / thread.find("F").number * more)}'))
+    if p.setup and 'chuck_face' in p.setup and not any(b.code('G', 71, 72, 73) for b in p.blocks):
+        depths = [(p.value(b.find('Z')), b) for b in p.blocks if b.find('Z') and not b.code('G', 28)]
+        lowest = min(depth for depth, _ in depths)
+        first = next(b for depth, b in depths if depth == lowest)
+        yield plant('the chuck nearer', 'beyond_chuck_face', first.at, list(p.lines), {**p.setup, 'chuck_face': lowest + 0.5})
+
+
 def all_of(program):
-    """Returns each mistake of every type once."""
+    """Returns each mistake of every type once. The mistakes of mills are not planted into the programs of lathes."""
     seen = set()
-    for kind in KINDS:
+    for kind in [lathe_mistakes] if program.control in LATHES else KINDS:
         for m in kind(program):
             text = tuple(m.text), m.setup is None, tuple(m.tools or ()), m.most_rpm
             if (m.text != program.lines or m.tools or m.setup or m.most_rpm) and text not in seen:

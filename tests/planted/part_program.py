@@ -6,7 +6,7 @@ import re
 
 WORD = re.compile(r'([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))')
 SCALE = {'s2c42': {a: 1000 for a in 'XYZIJK'}, 'gost': {**{a: 1000 for a in 'XYIJ'}, 'Z': 100}}   # increments per millimetre
-POINTED = ('fanuc', 'haas', 'nct', 'correctors')
+POINTED = ('fanuc', 'fanuc-t', 'haas', 'nct', 'correctors')
 
 
 @dataclasses.dataclass

@@ -53,6 +53,32 @@ TEST(give_machine, the_setup_goes_before) {
   EXPECT_TRUE(of_another.axes.empty());
 }
 
+// The axes of a lathe are those of the machine: X Z, or X Z C Y.
+TEST(give_machine, a_lathe_names_its_axes) {
+  kadr::Setup setup;
+  give_machine(setup, load_machine("lathe").value(), *test::shared_control("fanuc-t"));
+  EXPECT_EQ(setup.axes, (std::vector<std::string>{"X", "Z"}));
+  EXPECT_EQ(setup.axis_limits.at("X"), (std::pair{-220., 0.}));
+
+  kadr::Setup with_y;
+  give_machine(with_y, load_machine("lathe-cy").value(), *test::shared_control("fanuc-t"));
+  EXPECT_EQ(with_y.axes, (std::vector<std::string>{"X", "Z", "C", "Y"}));
+  EXPECT_EQ(with_y.axis_limits.at("Y"), (std::pair{-50., 50.}));
+
+  kadr::Setup stated;
+  stated.axes = {"X", "Z", "C"};
+  give_machine(stated, load_machine("lathe-cy").value(), *test::shared_control("fanuc-t"));
+  EXPECT_EQ(stated.axes, (std::vector<std::string>{"X", "Z", "C"}));
+
+  kadr::Setup without_chains;
+  give_machine(without_chains, load_machine("generic").value(), *test::shared_control("fanuc-t"));
+  EXPECT_TRUE(without_chains.axes.empty());
+
+  kadr::Setup of_nct;  // the NCT has one list of axes for mills and lathes
+  give_machine(of_nct, load_machine("lathe-cy").value(), *test::shared_control("nct"));
+  EXPECT_EQ(of_nct.axes, (std::vector<std::string>{"X", "Y", "Z", "C"}));
+}
+
 TEST(give_machine, inclined_axes_and_those_that_roll_over) {
   MachineProfile machine = load_machine("table-table").value();
   machine.axes["A"].joint.direction = unit({0, -1, 1});

@@ -209,6 +209,7 @@ struct Setup {
   // Position in work coordinates at which the probe triggers, by number of the probe input; nullopt: it never triggers.
   std::map<int, std::optional<AxisValues>> probe;
   std::optional<ProbeHole> probe_hole;
+  std::optional<double> chuck_face;  // Z of the chuck's face, work coordinates, mm
   std::vector<double> points;
   std::vector<std::string> watch;
   std::map<std::string, AxisValues> shifts;  // shifts by code, "G92", "G52"; only if the set-up is a printed state

@@ -149,6 +149,10 @@ Readers readers_of_machine(Setup& s) {
          numbered(v, k, s.probe, signal_position, {1, max_inputs});
        }},
       {"kinematics", or_null([&](const Json& v, const std::string& k) { kinematics(v, k, s.kinematics); })},
+      {"chuck_face",
+       [&](const Json& v, const std::string& k) {
+         s.chuck_face = v.is_null() ? std::nullopt : std::optional(within(v, k, ranges::position));
+       }},
       {"probe_workpiece", or_null([&](const Json& v, const std::string& k) { probe_workpiece(v, k, s); })},
   };
 }

@@ -64,6 +64,7 @@ Motion& Emitter::add_motion(MotionKind kind, AxisMask named) {
   motion.second = static_cast<std::uint8_t>(modal.axes.second);
   motion.named = named;
   motion.inch = modal.inch;
+  motion.diameters = modal.diameter;
   motion.spindle = modal.main_spindle;
   motion.own_override = !modal.override_enabled || (modal.override_permission & feed_permission) == 0;
   motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);

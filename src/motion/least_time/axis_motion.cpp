@@ -93,7 +93,8 @@ AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, doubl
   now_.threads.begin(start.machine);
 }
 
-void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes) {
+void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes, double most_rpm) {
+  now_.spindle.limit(most_rpm);
   now_.spindle.start(setup.spindle(), setup.spindle_override / 100);
   for (const auto& [number, spindle] : setup.spindles)
     now_.spindle.start(spindle, setup.spindle_override / 100, static_cast<std::size_t>(number));

@@ -54,8 +54,8 @@ class AxisMotion {
   AxisMotion(const AxisMotion&) = delete;  // Copying is disabled because the planner stores a pointer to this object.
   AxisMotion& operator=(const AxisMotion&) = delete;
 
-  /// Sets the rotation of the spindles at the program start and the parameters of smoothing (G5.1).
-  void start(const Setup& setup, const std::vector<std::string>& axes);
+  /// Sets the rotation of the spindles at the program start, their highest speed in rev/min, and the parameters of smoothing (G5.1).
+  void start(const Setup& setup, const std::vector<std::string>& axes, double most_rpm = SpindleTurning::fastest);
 
   /// A function of the client that AxisMotion calls for each motion before it plans the motion. `number` is the motion's number; the cells
   /// of the motion have this number as CellSource::motion. `length` is the approximate total length of these cells in mm.

@@ -44,11 +44,19 @@ Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vec
               profile.tool_change_s,
               profile.spindle_start_s,
               exact_times(setup, axes)};
+  if (const double most = most_rpm_of(profile, setup); most > 0) rates.most_rpm = most;
   for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i) {
     rates.most[i] = of_setup(setup, axes[i], &AxisLimits::rapid).value_or(profile_of(profile, axes[i]).rapid);
     rates.rapid[i] = std::min(setup.rapid_override, 100.0) / 100 * rates.most[i];
   }
   return rates;
+}
+
+double most_rpm_of(const MachineProfile& profile, const Setup& setup) {
+  double most = 0;
+  for (const auto& [number, spindle] : setup.spindles)
+    for (const auto& [least_of_gear, most_of_gear] : spindle.ranges) most = std::max(most, most_of_gear);
+  return most > 0 ? most : profile.most_rpm;
 }
 
 double Rates::least_most() const {
@@ -79,10 +87,12 @@ std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& 
 }
 
 TimeEstimate::TimeEstimate(const AxisRoles& roles, const Rates& rates)
-    : roles_(roles), rates_(rates), lowest_rapid_rate_(rates.least_most()) {}
+    : roles_(roles), rates_(rates), lowest_rapid_rate_(rates.least_most()) {
+  for (SpindleTurning& spindle : spindles_) spindle.most_rpm = rates.most_rpm;
+}
 
 SpindleTurning& TimeEstimate::spindle_of(std::size_t number) {
-  if (number >= spindles_.size()) spindles_.resize(number + 1);
+  while (number >= spindles_.size()) spindles_.emplace_back().most_rpm = rates_.most_rpm;
   return spindles_[number];
 }
 

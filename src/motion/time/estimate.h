@@ -17,7 +17,9 @@ struct Rates {
   double tool_change_s = 0;
   double spindle_start_s = 0;
   bool exact_times = false;  // true: the axes accelerate instantly, so the estimate is exact
-  Axes most{};               // rapid rate of each axis without the rapid override, mm/min or degrees/min; 0: the rate is unknown
+  // highest spindle speed, rev/min, at which the spindle stays under constant surface speed
+  double most_rpm = SpindleTurning::fastest;
+  Axes most{};  // rapid rate of each axis without the rapid override, mm/min or degrees/min; 0: the rate is unknown
   /// Returns the lowest known rate in `most`, mm/min. A motion at this feed or a lower feed cannot exceed the rate of any axis.
   double least_most() const;
 };
@@ -28,6 +30,10 @@ Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vec
 
 /// Returns the least and the greatest position of one axis in machine coordinates. The set-up has priority over the machine profile.
 std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& setup, const std::string& axis);
+
+/// Returns the highest spindle speed, rev/min, that the set-up states for the spindle's gears, or else that the machine's file states; 0 if
+/// neither states one.
+double most_rpm_of(const MachineProfile& profile, const Setup& setup);
 
 /// The axis of a motion that needs the longest time at its rapid rate. No feed can make the motion shorter than this time.
 struct SlowestAxis {
@@ -73,12 +79,12 @@ class TimeEstimate {
   const TimeSplit& split() const { return split_; }
   /// Resets the time sums to zero. The spindles keep their states.
   void start_over() { split_ = {}; }
+  /// Returns the spindle whose revolutions determine the motion's feed or thread (nct 11.4).
+  const SpindleTurning& turning(const Motion& motion) const { return spindles_[motion.spindle < spindles_.size() ? motion.spindle : 0]; }
 
  private:
   double& share_of(const Motion& motion);
   SpindleTurning& spindle_of(std::size_t number);
-  /// Returns the spindle whose revolutions determine the motion's feed or thread (nct 11.4).
-  const SpindleTurning& turning(const Motion& motion) const { return spindles_[motion.spindle < spindles_.size() ? motion.spindle : 0]; }
   double rapid_minutes(const Curve& curve) const;
   double machine_minutes(const Motion& motion, const ToolPosition& from, bool rapid) const;
   double thread_minutes(const Motion& motion, const Curve& curve) const;

@@ -17,8 +17,13 @@ constexpr double full_turn = 360;
 }  // namespace
 
 SpindleClock::Turned& SpindleClock::numbered(std::size_t number) {
-  if (number >= spindles_.size()) spindles_.resize(number + 1);
+  while (number >= spindles_.size()) spindles_.emplace_back().turning.most_rpm = most_rpm_;
   return spindles_[number];
+}
+
+void SpindleClock::limit(double most_rpm) {
+  most_rpm_ = most_rpm;
+  for (Turned& spindle : spindles_) spindle.turning.most_rpm = most_rpm;
 }
 
 void SpindleClock::start(const SpindleSetup& setup, double override_part, std::size_t number) {

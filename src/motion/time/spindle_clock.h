@@ -18,6 +18,9 @@ class SpindleClock {
   ///   override_part  spindle override as a factor (1: 100 %)
   void start(const SpindleSetup& setup, double override_part = 1, std::size_t number = 1);
 
+  /// Sets the highest speed of all spindles, rev/min, at which they stay under constant surface speed.
+  void limit(double most_rpm);
+
   /// Makes a spindle the leading spindle. Spindle 1 leads unless the program selects another (nct 11.4).
   ///   pre  all motions planned before this call were emitted
   void select_leading(std::size_t number);
@@ -66,6 +69,7 @@ class SpindleClock {
 
   std::vector<Turned> spindles_ = std::vector<Turned>(2);  // The index is the spindle number; entry 0 is unused.
   std::size_t leading_ = 1;
+  double most_rpm_ = SpindleTurning::fastest;
   double override_part_ = 1;
   double per_mm_ = 0;  // rotation per travel of the axes, degrees/mm, while the leading spindle is coupled to the axes; otherwise 0
 };

@@ -14,6 +14,11 @@ struct SpindleTurning {
   bool on = true;
   bool reversed = false;  // true: counter-clockwise rotation (M4)
 
+  /// The speed, rev/min, that a spindle without a known limit does not exceed under constant surface speed when the tool moves towards the
+  /// rotation centre. INFERRED: this limit applies even if the program states no limit.
+  static constexpr double fastest = 1e5;
+  double most_rpm = fastest;  // highest speed of the spindle, rev/min; a greater speed under constant surface speed is reduced to it
+
   SurfaceSpeed surface{};  // the law of constant surface speed, for the main spindle only
 
   double now() const { return on ? rpm : 0; }
@@ -36,13 +41,10 @@ struct SpindleTurning {
     rpm = spindle.rpm;
     reversed = spindle.dir == SpindleDir::ccw;
   }
-  void take(const Speed& speed) { rpm = speed.surface ? speed.rpm : speed.value; }
+  void take(const Speed& speed) { rpm = speed.surface ? std::min(speed.rpm, most_rpm) : speed.value; }
 
  private:
-  /// The greatest speed under constant surface speed, reached when the tool moves towards the rotation centre. INFERRED: this limit applies
-  /// even if the program states no limit.
-  static constexpr double fastest = 1e5;  // rev/min
-  double by_surface(const Axes& work) const { return std::min(surface.rpm(work, rpm), fastest); }
+  double by_surface(const Axes& work) const { return std::min(surface.rpm(work, rpm), most_rpm); }
 };
 
 }  // namespace kadr

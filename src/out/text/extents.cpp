@@ -99,6 +99,14 @@ void RunExtents::take(const Motion& motion, const ToolPosition& at, const Curve&
     if (roles_.is_rotary(a) && motion.to[a] != from[a]) turned_ |= AxisMask{1} << a;
 }
 
+void MotionUnits::take(const Motion& motion) {
+  if (cuts(motion)) {
+    (motion.inch ? cut_in_inches_ : cut_in_mm_) = true;
+    cut_in_diameters_ &= motion.diameters;
+  }
+  moved_ = true, moved_in_inches_ = motion.inch, moved_in_diameters_ = motion.diameters;
+}
+
 LengthUnit MotionUnits::unit() const {
   if (cut_in_mm_ && cut_in_inches_) return LengthUnit::mixed;
   return cut_in_inches_ || (!cut_in_mm_ && moved_in_inches_) ? LengthUnit::inch : LengthUnit::mm;
@@ -125,7 +133,11 @@ std::vector<RunExtents::Row> RunExtents::rows(Of of, const std::vector<std::stri
     const bool named = systems_.size() > 1 && system.system < names.size();
     rows.push_back({named ? names[system.system] : std::string(), {}});
     Row& row = rows.back();
-    row.axes = {{"X", least.x, most.x, false}, {"Y", least.y, most.y, false}, {"Z", least.z, most.z, false}};
+    const double times = x_is_diameter() ? 2 : 1;
+    row.axes = {{"X", times * least.x, times * most.x, false}};
+    // an axis that the channel lacks is left out, unless the kinematics move the tool along it
+    if (roles_.xyz[1] >= 0 || least.y != 0 || most.y != 0) row.axes.push_back({"Y", least.y, most.y, false});
+    if (roles_.xyz[2] >= 0 || least.z != 0 || most.z != 0) row.axes.push_back({"Z", least.z, most.z, false});
     for (std::size_t a = 0; a < roles_.count; ++a)
       if ((turned_ >> a & 1U) != 0) row.axes.push_back({axes_[a], reach.least[a], reach.most[a], true});
   }

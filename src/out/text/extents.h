@@ -47,19 +47,19 @@ const char* speed_unit_name(LengthUnit unit, Lang lang);
 /// Formats a length in its unit, rounded to 0.001 mm or 0.0001 in.
 std::string length_text(double mm, LengthUnit unit);
 
-/// Finds the units in which the motions of a run are programmed.
+/// Finds the units in which the motions of a run are programmed, and which axes are programmed in diameters.
 class MotionUnits {
  public:
-  void take(const Motion& motion) {
-    if (cuts(motion)) (motion.inch ? cut_in_inches_ : cut_in_mm_) = true;
-    moved_ = true, moved_in_inches_ = motion.inch;
-  }
+  void take(const Motion& motion);
   /// True if the program has not moved yet.
   bool empty() const { return !moved_; }
   LengthUnit unit() const;
+  /// Returns the axes that are in diameter programming in all blocks that cut, or in the last motion if no block cuts.
+  AxisMask diameters() const { return cut_in_inches_ || cut_in_mm_ ? cut_in_diameters_ : moved_in_diameters_; }
 
  private:
   bool cut_in_mm_ = false, cut_in_inches_ = false, moved_in_inches_ = false, moved_ = false;
+  AxisMask cut_in_diameters_ = ~AxisMask{0}, moved_in_diameters_ = 0;
 };
 
 /// The range of positions in a set of motions: X, Y, Z in mm, rotary axes in degrees.
@@ -90,12 +90,15 @@ class RunExtents {
   const std::vector<SystemExtents>& systems() const { return systems_; }
   const MotionUnits& units() const { return units_; }
   LengthUnit unit() const { return units_.unit(); }
+  /// True if X is programmed in diameters. The ranges of rows() and texts() are then diameters; the boxes are always true lengths.
+  bool x_is_diameter() const { return roles_.xyz[0] >= 0 && (units_.diameters() >> roles_.xyz[0] & 1U) != 0; }
   Box cutting_box() const;
   Box box() const;
 
   /// Selects which extents are returned: of cutting motions or of all motions.
   enum class Of : std::uint8_t { cutting, all };
-  /// The range of one axis: X, Y, Z, or a rotary axis that has moved; mm or degrees.
+  /// The range of one axis: X, Y, Z as far as the channel has them, or a rotary axis that has moved; mm or degrees. X is a diameter if it
+  /// is programmed so.
   struct AxisRange {
     std::string name;
     double least, most;

@@ -41,6 +41,12 @@ std::string split_text(double cutting, double rapid, double dwell, double tool_c
                        duration_text(rapid), duration_text(dwell), duration_text(tool_change));
 }
 
+/// Returns the text about the spindle speeds at constant surface speed.
+std::string spindle_text(const Range& rpm, Lang lang) {
+  if (rpm.most >= SpindleTurning::fastest) return translated_in(lang, texts::summary::spindle_without_limit, number_text(rpm.least, 0));
+  return translated_in(lang, texts::summary::spindle_speeds, number_text(rpm.least, 0), number_text(rpm.most, 0));
+}
+
 /// Returns the text about the time that the least-time planner computes (docs/planner.md).
 std::string planned_text(PlainText heading, const PlannedTime& t, Lang lang) {
   const std::string ramps =
@@ -74,6 +80,24 @@ void Statistics::count_cutting() {
   cutting_then_ = now;
 }
 
+/// Records the spindle speeds of a cut at constant surface speed (nct 11.5). They are greatest where the tool is nearest to the centre.
+void Statistics::count_spindle(const Motion& motion, const Curve& curve) {
+  const SpindleTurning& spindle = estimate_.turning(motion);
+  const SurfaceSpeed& surface = spindle.surface;
+  if (!spindle.on || !surface.on || surface.axis >= max_axes || curve.surface() != PathSurface::plane) return;
+  const Extents extents = curve.extents();
+  const double least = extents.least[surface.axis], most = extents.most[surface.axis];
+  const auto rpm_at = [&](double radius) {
+    Axes at{};
+    at[surface.axis] = radius;
+    return std::min(surface.rpm(at), spindle.most_rpm);
+  };
+  const double slowest = rpm_at(std::max(std::fabs(least), std::fabs(most)));
+  const double fastest = rpm_at(least * most <= 0 ? 0 : std::min(std::fabs(least), std::fabs(most)));
+  if (!surface_speeds_) surface_speeds_ = Range{slowest, fastest};
+  surface_speeds_ = Range{std::min(surface_speeds_->least, slowest), std::max(surface_speeds_->most, fastest)};
+}
+
 void Statistics::take_motion(const Step& step, const Motion& motion) {
   const Curve& curve = step.curve();
   count_cutting();
@@ -81,6 +105,7 @@ void Statistics::take_motion(const Step& step, const Motion& motion) {
   ++(curve.arc() ? arcs_ : motion.kind == MotionKind::rapid ? rapids_ : cutting ? feeds_ : others_);
   (cutting || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += step.time.length;
   extents_.take(motion, step.from, curve);
+  if (cutting) count_spindle(motion, curve);
 }
 
 void Statistics::consume(const Step& step) {
@@ -101,6 +126,7 @@ std::string Statistics::caption(Lang lang) const {
   for (std::size_t i = 0; i < std::min(most, ranges.size()); ++i) caption += (i == 0 ? "" : ";   ") + ranges[i];
   if (ranges.size() > most) caption += fmt::format(";   … (+{})", ranges.size() - most);
   if (caption.empty()) return caption;
+  if (extents_.x_is_diameter()) caption += ";   " + translated_in(lang, texts::summary::x_is_diameter);
   return translated_in(lang, texts::summary::cutting_range, unit_name(extents_.unit(), lang), caption);
 }
 
@@ -119,6 +145,8 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang, const PlannedTime*
                translated_in(lang, texts::summary::path_lengths, length_text(cutting_mm_, unit), length_text(rapid_mm_, unit)));
   text += lines(in_unit(texts::summary::cutting), extents_.texts(RunExtents::Of::cutting, system_names_));
   text += lines(in_unit(texts::summary::all), extents_.texts(RunExtents::Of::all, system_names_));
+  if (extents_.x_is_diameter()) text += line("", plain_text(texts::summary::x_is_diameter, lang));
+  if (surface_speeds_) text += named(texts::summary::spindle, spindle_text(*surface_speeds_, lang));
   const bool planned_counts = planned != nullptr && counts == PlannerMode::optimal;
   if (!planned_counts) {
     text += named(texts::summary::time, split_text(t.cutting, t.rapid, t.dwell, t.tool_change, lang));

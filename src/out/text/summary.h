@@ -1,9 +1,11 @@
 #pragma once
 // Statistics: collects the totals of a run (times, paths, tools, extents) for the summary on stdout (docs/commands/run.md, "Summary").
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/extremes.h"
 #include "motion/time/estimate.h"
 #include "motion/time/planned_time.h"
 #include "out/text/extents.h"
@@ -72,12 +74,16 @@ class Statistics {
   Box cutting_box() const { return extents_.cutting_box(); }
   Box box() const { return extents_.box(); }
   const RunExtents& extents() const { return extents_; }
+  /// Returns the least and the greatest spindle speed, rev/min, of the cuts at constant surface speed; nullopt if there are none. The
+  /// greatest is SpindleTurning::fastest if nothing limits it.
+  const std::optional<Range>& surface_speeds() const { return surface_speeds_; }
   const TimeSplit& time() const { return estimate_.split(); }
   const std::vector<ToolUse>& tools() const { return tools_; }
 
  private:
   void take_motion(const Step& step, const Motion& motion);
   void count_cutting();
+  void count_spindle(const Motion& motion, const Curve& curve);
   void use(std::uint32_t tool);
 
   TimeEstimate estimate_;
@@ -87,6 +93,7 @@ class Statistics {
   TimeBasis basis_ = TimeBasis::programmed;
   double cutting_mm_ = 0, rapid_mm_ = 0;
   RunExtents extents_;
+  std::optional<Range> surface_speeds_;
   std::vector<std::string> system_names_;
   std::vector<ToolUse> tools_;  // tools in the order of their first use
   std::size_t in_spindle_ = 0;  // index in tools_ of the tool in the spindle; tools_.size(): the tool is unknown

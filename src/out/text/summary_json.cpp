@@ -30,6 +30,11 @@ Json extents_json(const Statistics& statistics, RunExtents::Of of) {
   return all;
 }
 
+/// Returns the least and the greatest spindle speed; null instead of the greatest if nothing limits it.
+Json speeds_json(const Range& rpm) {
+  return Json::array({figure(rpm.least), rpm.most < SpindleTurning::fastest ? Json(figure(rpm.most)) : Json()});
+}
+
 Json time_json(const TimeSplit& t, TimeBasis basis) {
   return {{"all", figure(t.total())}, {"cutting", figure(t.cutting)},         {"rapid", figure(t.rapid)},
           {"dwell", figure(t.dwell)}, {"tool_change", figure(t.tool_change)}, {"basis", word_of(basis)}};
@@ -60,9 +65,11 @@ Json channel_json(const ChannelSummary& channel, PlannerMode counts) {
             {"arcs", s.arcs()},
             {"other", s.others()}}},
           {"unit", word_of(s.extents().unit())},
+          {"diameters", s.extents().x_is_diameter() ? Json::array({"X"}) : Json::array()},
           {"path", {{"cutting", figure(s.cutting_mm())}, {"rapid", figure(s.rapid_mm())}}},
           {"cutting", extents_json(s, RunExtents::Of::cutting)},
           {"all", extents_json(s, RunExtents::Of::all)},
+          {"surface_speed_rpm", s.surface_speeds() ? speeds_json(*s.surface_speeds()) : Json()},
           {"time", planned_counts ? Json() : time_json(s.time(), s.basis())},
           {"least_time", channel.planned != nullptr ? planned_json(*channel.planned) : Json()},
           {"waited", figure(channel.waited)},

@@ -12,17 +12,27 @@
 #include "base/ascii.h"
 #include "config/machine/machine_axes.h"
 #include "config/setup/setup_names.h"
+#include "motion/time/estimate.h"
 
 namespace kadr {
 namespace {
 
-/// Returns the highest spindle speed, rev/min, that the set-up states for the spindle's gears, or else that the machine's file states; 0 if
-/// neither states one.
-double most_rpm_of(const Setup& setup, const MachineProfile& machine) {
-  double most = 0;
-  for (const auto& [number, spindle] : setup.spindles)
-    for (const auto& [least_of_gear, most_of_gear] : spindle.ranges) most = std::max(most, most_of_gear);
-  return most > 0 ? most : machine.most_rpm;
+/// Returns the rapid rate of each axis, mm/min, as far as the set-up or the machine's file states it; 0: unknown. The rates of the generic
+/// machine are not those of any machine.
+Axes stated_rapids(const Session& session, std::size_t channel) {
+  const Channel& of = session.channels()[channel];
+  const std::vector<std::string>& axes = of.control->axes();
+  const Rates rates = rates_of(session.machine(), of.setup, axes);
+  const bool by_file = session.machine().id != MachineProfile{}.id;
+  Axes stated{};
+  for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i) {
+    const auto in_setup = [&](const std::string& name) {
+      const auto row = of.setup.machine.find(name);
+      return row != of.setup.machine.end() && row->second.rapid;
+    };
+    if (by_file || in_setup(axes[i]) || in_setup("*")) stated[i] = rates.most[i];
+  }
+  return stated;
 }
 
 /// Returns the location of the first word with the address `address` outside comments. Returns the whole line if it has no such word.
@@ -49,7 +59,8 @@ Checklist::Checklist(Session& session, std::size_t channel, ChecklistBasis basis
       channel_(channel),
       basis_(std::move(basis)),
       roles_(AxisRoles::of(session.channels()[channel].control->axes(), session.channels()[channel].control->rotary())),
-      steps_(roles_, session.stand(channel)) {}
+      steps_(roles_, session.stand(channel)),
+      lathe_(stated_rapids(session, channel), session.channels()[channel].setup.chuck_face) {}
 
 void Checklist::attach() {
   session_.outlets(channel_).programmed = [this](const Action& action) { take(action); };
@@ -62,6 +73,7 @@ void Checklist::take(const Action& action) {
     holes_.take(step, advices_);
     levels_.take(step, advices_);
     path_.take(step, advices_);
+    lathe_.take(step, advices_);
   });
 }
 
@@ -70,7 +82,7 @@ std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   ControlDef def = session_.def();
   // the result of fit_to_machine() is ignored, since faults of the set-up have been reported before the run
   (void)fit_to_machine(def, session_.channels()[channel_].setup);
-  TextWatch text(def, most_rpm_of(session_.channels()[channel_].setup, session_.machine()));
+  TextWatch text(def, most_rpm_of(session_.machine(), session_.channels()[channel_].setup));
   if (const auto source = control.source_of(0)) text.read(BlockReader(source, def.grammar, control.encoding()), stop);
   Advices advices = advices_;
   tools_.finish(system_names(def), advices);

@@ -7,6 +7,7 @@
 #include "motion/time/steps.h"
 #include "session/checklist/feed_watch.h"
 #include "session/checklist/hole_watch.h"
+#include "session/checklist/lathe_watch.h"
 #include "session/checklist/level_watch.h"
 #include "session/checklist/path_watch.h"
 #include "session/checklist/table_check.h"
@@ -45,6 +46,7 @@ class Checklist {
   HoleWatch holes_;
   LevelWatch levels_;
   PathWatch path_;
+  LatheWatch lathe_;
 };
 
 }  // namespace kadr

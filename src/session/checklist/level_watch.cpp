@@ -21,6 +21,9 @@ bool turns(const Step& step, const Motion& motion) {
   return step.from.turn != nullptr || step.from.space != nullptr;
 }
 
+/// True if the part turns: the channel has no Y, or X is a diameter. Such a tool goes into the part from the side.
+bool is_lathe(const Step& step, const Motion& motion) { return step.roles.xyz[1] < 0 || motion.diameters != 0; }
+
 }  // namespace
 
 /// Records the coordinates of the end of a motion. finish() reports a coordinate as far from all others if only one block has it and its
@@ -48,7 +51,7 @@ void LevelWatch::take_point(const Ends& ends, const Origin& origin) {
 void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to) {
   const Origin& origin = step.action.origin;
   const Ends ends(step.roles, step.from, motion);
-  turned_ = turned_ || turns(step, motion);
+  turned_ = turned_ || turns(step, motion) || is_lathe(step, motion);
   if (motion.system != system_) system_ = motion.system, lowest_ = 1e300, approach_ = -1e300;
   if (motion.end_reference != EndReference::by_work || motion.kind == MotionKind::home) {
     in_cut_.reset();

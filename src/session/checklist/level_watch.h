@@ -42,7 +42,8 @@ class LevelWatch {
   void judge_lows(Advices& to) const;
   void take_point(const Ends& ends, const Origin& origin);
 
-  bool turned_ = false;       // true: a rotary axis or the coordinate system has turned, so heights are no longer compared
+  // true: a rotary axis or the coordinate system has turned, or the machine is a lathe, so heights are no longer compared
+  bool turned_ = false;
   double lowest_ = 1e300;     // lowest Z of all cuts so far, work coordinates, mm
   double approach_ = -1e300;  // highest Z to which rapids have moved, work coordinates, mm
   double z_ = 0;              // present Z, work coordinates, mm

@@ -134,30 +134,33 @@ Status TurnedCutting::consume(const Step& step, const MachineTime& time) {
     path->corners.assign(2, path->corners.back());
     path->parts = {0, 1};
   }
-  if (path->off_plane) {
-    leave_out(step);
-    return {};
-  }
   const bool was_in_thread = std::exchange(in_thread_, motion.kind == MotionKind::thread);
-  if (path->corners.empty()) return {};
-  const Tool* const tool = tool_for(motion);
+  if (path->corners.empty() && !path->off_plane) return {};
+  const Tool* const tool = path->off_plane ? nullptr : tool_for(motion);
   if (is_left_out(motion, *path, tool)) {
     leave_out(step);
     return {};
   }
   if (tool == nullptr) return cuts ? Status(fail(alarm(AlarmId::tool_without_shape, {}, double(tool_)))) : Status();
-  Moved moved{std::move(*path), step.action.origin, tool, use_of(tool_), fault_of(motion), cuts, false, false, 0, 0, 0};
+  Moved moved{std::move(*path), step.action.origin, tool, use_of(tool_), fault_of(motion), cuts, false, false, 0,
+              time.begins,      time.seconds};
   moved.threads = motion.kind == MotionKind::thread && tool->shape.turns();
   moved.in_groove = moved.threads || (was_in_thread && motion.kind == MotionKind::rapid);
   if (moved.threads && motion.detail) moved.lead = motion.detail->lead.value_or(0);
-  moved.begins = time.begins, moved.seconds = time.seconds;
+  add(std::move(moved));
+  return {};
+}
+
+/// Cuts a motion, or stores it until the zero of the blank is known.
+void TurnedCutting::add(Moved&& moved) {
   if (zero_) {
     cut(moved);
-    return {};
+    return;
   }
   waiting_.push_back(std::move(moved));
-  if (waiting_.size() >= most_stored) zero_ = waiting_.back().path.origin, release_waiting();
-  return {};
+  if (waiting_.size() < most_stored) return;
+  zero_ = waiting_.back().path.origin;
+  release_waiting();
 }
 
 void TurnedCutting::release_waiting() {

@@ -78,6 +78,7 @@ class TurnedCutting {
   bool is_left_out(const Motion& motion, const LatheMotion& path, const Tool* tool) const;
   void leave_out(const Step& step);
   void find_zero(const Motion& motion, double origin);
+  void add(Moved&& moved);
   void release_waiting();
   void cut(const Moved& moved);
   double sweep(const Moved& moved, Vec2 from, Vec2 to, Findings& found);

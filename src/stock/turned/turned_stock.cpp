@@ -8,9 +8,24 @@
 #include <numbers>
 
 namespace kadr {
-namespace {
 
 namespace cl = ClipperLib;
+
+constexpr cl::cInt farthest_nm = 100'000'000'000;  // nm; no coordinate is greater
+
+/// A rectangle in nm. `least` and `most` of an empty rectangle are exchanged.
+struct TurnedBounds {
+  cl::IntPoint least{farthest_nm, farthest_nm}, most{-farthest_nm, -farthest_nm};
+
+  void include(const cl::IntPoint& p) {
+    least = {std::min(least.X, p.X), std::min(least.Y, p.Y)};
+    most = {std::max(most.X, p.X), std::max(most.Y, p.Y)};
+  }
+  bool meets(const TurnedBounds& b) const { return least.X < b.most.X && b.least.X < most.X && least.Y < b.most.Y && b.least.Y < most.Y; }
+  cl::Path path() const { return {least, {most.X, least.Y}, most, {least.X, most.Y}}; }
+};
+
+namespace {
 
 constexpr double per_mm = 1e6;            // units of Clipper per mm: a unit is a nanometre
 constexpr std::size_t most_corners = 64;  // a rectangle with more corners is halved
@@ -19,7 +34,6 @@ constexpr double noise = 1.415;           // nm; corners that rounding to whole 
 constexpr double least_corner = 10;       // nm; corners of region() deviate by more than this
 constexpr double thinnest = 5;            // nm; a hole that is thinner is a gap between rectangles
 constexpr double on_blank = 1e-5;         // mm; a point this near to the surface of the blank lies on it
-const cl::cInt far = cl::cInt(1e5 * per_mm);
 
 cl::Path path_of(const TurnedPolygon& polygon) {
   cl::Path path;
@@ -35,20 +49,8 @@ TurnedPolygon polygon_of(const cl::Path& path) {
   return polygon;
 }
 
-/// A rectangle in nm. `least` and `most` of an empty rectangle are exchanged.
-struct Bounds {
-  cl::IntPoint least{far, far}, most{-far, -far};
-
-  void include(const cl::IntPoint& p) {
-    least = {std::min(least.X, p.X), std::min(least.Y, p.Y)};
-    most = {std::max(most.X, p.X), std::max(most.Y, p.Y)};
-  }
-  bool meets(const Bounds& b) const { return least.X < b.most.X && b.least.X < most.X && least.Y < b.most.Y && b.least.Y < most.Y; }
-  cl::Path path() const { return {least, {most.X, least.Y}, most, {least.X, most.Y}}; }
-};
-
-Bounds bounds_of(const cl::Paths& paths) {
-  Bounds bounds;
+TurnedBounds bounds_of(const cl::Paths& paths) {
+  TurnedBounds bounds;
   for (const cl::Path& path : paths)
     for (const cl::IntPoint& p : path) bounds.include(p);
   return bounds;
@@ -61,6 +63,34 @@ cl::Paths clipped(cl::ClipType type, const cl::Paths& subject, const cl::Path& c
   cl::Paths result;
   clipper.Execute(type, result, cl::pftNonZero, cl::pftNonZero);
   return result;
+}
+
+/// Cuts a convex path off along one side of a rectangle. `axis`: 0 for X, 1 for Y; what lies beyond `limit` is removed: above it if `sense`
+/// is 1, below it if -1.
+cl::Path cut_off(const cl::Path& path, int axis, cl::cInt limit, int sense) {
+  const auto inside = [&](const cl::IntPoint& p) { return sense * ((axis == 0 ? p.X : p.Y) - limit) <= 0; };
+  cl::Path kept;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const cl::IntPoint &a = path[i], &b = path[(i + 1) % path.size()];
+    if (inside(a)) kept.push_back(a);
+    if (inside(a) == inside(b)) continue;
+    const double along = axis == 0 ? double(limit - a.X) / double(b.X - a.X) : double(limit - a.Y) / double(b.Y - a.Y);
+    if (axis == 0) kept.emplace_back(limit, a.Y + std::llround(along * double(b.Y - a.Y)));
+    else kept.emplace_back(a.X + std::llround(along * double(b.X - a.X)), limit);
+  }
+  return kept;
+}
+
+/// Returns the part of a convex path in and around a rectangle: Clipper is given few corners. Its edges in the rectangle are those of the
+/// path, within a nanometre.
+cl::Path near_part(const cl::Path& path, const TurnedBounds& reach, const TurnedBounds& of) {
+  constexpr cl::cInt room = 1000;  // nm
+  cl::Path part = path;
+  if (reach.least.X < of.least.X - room) part = cut_off(part, 0, of.least.X - room, -1);
+  if (reach.most.X > of.most.X + room) part = cut_off(part, 0, of.most.X + room, 1);
+  if (reach.least.Y < of.least.Y - room) part = cut_off(part, 1, of.least.Y - room, -1);
+  if (reach.most.Y > of.most.Y + room) part = cut_off(part, 1, of.most.Y + room, 1);
+  return part;
 }
 
 /// Returns 2 π ∫ r dA in mm³, positive for a counter-clockwise path.
@@ -119,9 +149,9 @@ bool is_gap(const cl::Path& path) {
 
 /// A rectangle of the half plane: the material in it, or the two halves into which it is divided.
 struct TurnedStock::Cell {
-  Bounds place;     // the rectangle
-  cl::Paths paths;  // the material, if the rectangle is not divided
-  Bounds material;  // the box around the material; of a divided rectangle also what its halves have lost since
+  TurnedBounds place;     // the rectangle
+  cl::Paths paths;        // the material, if the rectangle is not divided
+  TurnedBounds material;  // the box around the material; of a divided rectangle also what its halves have lost since
   double volume = 0;
   std::unique_ptr<Cell> halves[2];
 
@@ -135,7 +165,7 @@ struct TurnedStock::Cell {
   void divide() {
     const cl::cInt wide = place.most.X - place.least.X, tall = place.most.Y - place.least.Y;
     if (corners_of(paths) <= most_corners || std::max(wide, tall) < least_side) return;
-    Bounds low = place, high = place;
+    TurnedBounds low = place, high = place;
     if (wide > tall) low.most.X = high.least.X = place.least.X + wide / 2;
     else low.most.Y = high.least.Y = place.least.Y + tall / 2;
     for (int i = 0; i < 2; ++i) {
@@ -147,7 +177,7 @@ struct TurnedStock::Cell {
     paths = {};
   }
 
-  double remove(const cl::Path& swept, const Bounds& reach) {
+  double remove(const cl::Path& swept, const TurnedBounds& reach) {
     if (!material.meets(reach)) return 0;
     if (halves[0]) {
       const double removed = halves[0]->remove(swept, reach) + halves[1]->remove(swept, reach);
@@ -155,7 +185,9 @@ struct TurnedStock::Cell {
       return removed;
     }
     const double before = volume;
-    cl::Paths left = clipped(cl::ctDifference, paths, swept);
+    const cl::Path part = near_part(swept, reach, material);
+    if (part.size() < 3) return 0;
+    cl::Paths left = clipped(cl::ctDifference, paths, part);
     cl::CleanPolygons(left, noise);
     std::erase_if(left, [](const cl::Path& path) { return path.size() < 3; });
     set(std::move(left));
@@ -164,12 +196,12 @@ struct TurnedStock::Cell {
     return removed;
   }
 
-  void touch(const cl::Path& swept, const Bounds& reach, double& met, Bounds& box) const {
+  void touch(const cl::Path& swept, const TurnedBounds& reach, double& met, TurnedBounds& box) const {
     if (!material.meets(reach)) return;
     for (const auto& half : halves)
       if (half) half->touch(swept, reach, met, box);
     if (halves[0]) return;
-    const cl::Paths common = clipped(cl::ctIntersection, paths, swept);
+    const cl::Paths common = clipped(cl::ctIntersection, paths, near_part(swept, reach, material));
     met += volume_of_paths(common);
     for (const cl::Path& path : common)
       for (const cl::IntPoint& p : path) box.include(p);
@@ -190,7 +222,7 @@ namespace {
 template <class Visit>
 void each_side(const TurnedPolygon& swept, const Visit& visit) {
   cl::Path path = path_of(swept);
-  const Bounds reach = bounds_of({path});
+  const TurnedBounds reach = bounds_of({path});
   if (reach.most.X > 0) visit(path, reach);
   if (reach.least.X >= 0) return;
   std::reverse(path.begin(), path.end());
@@ -216,7 +248,7 @@ double TurnedTouch::depth() const { return std::min(most.x - least.x, most.y - l
 TurnedStock::TurnedStock(TurnedRegion blank) : blank_(std::move(blank)), root_(std::make_unique<Cell>()) {
   cl::Paths paths;
   for (const TurnedPolygon& polygon : blank_) paths.push_back(path_of(polygon));
-  Bounds upper{{0, -far}, {far, far}};
+  TurnedBounds upper{{0, -farthest_nm}, {farthest_nm, farthest_nm}};
   root_->set(clipped(cl::ctIntersection, paths, upper.path()));
   root_->place = root_->material;
   root_->divide();
@@ -228,14 +260,14 @@ TurnedStock::~TurnedStock() = default;
 TurnedTouch TurnedStock::remove(const TurnedPolygon& swept, bool with_box) {
   TurnedTouch touched = with_box ? touch(swept) : TurnedTouch();
   touched.volume = 0;
-  each_side(swept, [&](const cl::Path& path, const Bounds& reach) { touched.volume += root_->remove(path, reach); });
+  each_side(swept, [&](const cl::Path& path, const TurnedBounds& reach) { touched.volume += root_->remove(path, reach); });
   return touched;
 }
 
 TurnedTouch TurnedStock::touch(const TurnedPolygon& swept) const {
   TurnedTouch touched;
-  Bounds box;
-  each_side(swept, [&](const cl::Path& path, const Bounds& reach) { root_->touch(path, reach, touched.volume, box); });
+  TurnedBounds box;
+  each_side(swept, [&](const cl::Path& path, const TurnedBounds& reach) { root_->touch(path, reach, touched.volume, box); });
   if (box.least.X > box.most.X) return touched;
   touched.least = {double(box.least.X) / per_mm, double(box.least.Y) / per_mm};
   touched.most = {double(box.most.X) / per_mm, double(box.most.Y) / per_mm};

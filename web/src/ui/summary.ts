@@ -106,10 +106,11 @@ export function extents(e: { cutting: Box | null; all: Box | null }, axes: strin
       h("td", null, length(b?.[1][i])),
       h("td", null, b ? length(b[1][i]! - b[0][i]!) : "–"),
     );
-  const names = ["X", "Y", "Z"].map((n, i) => axes[i] ?? n);
+  // the box has X, Y, Z; a lathe has no Y
+  const names = ["X", "Y", "Z"].map((n, i) => ({ n, i })).filter(({ n }) => axes.includes(n));
   const part = (title: string, b: Box | null): Node[] => [
     h("tr", null, h("th", { colspan: "4", scope: "rowgroup", class: "group" }, title)),
-    ...names.map((n, i) => row(n, b, i)),
+    ...names.map(({ n, i }) => row(n, b, i)),
   ];
   return h(
     "table",

@@ -90,6 +90,7 @@ class Reader {
     reader.seek(place.first);
     while (reader.position().offset <= place.last.offset) {
       const std::uint64_t offset = reader.position().offset;
+      if (m_.use.watches()) pass_line(reader.position().line);
       const auto got = reader.next(block_);
       if (!got) return unread(got.error());
       if (*got == BlockReader::Got::end) break;
@@ -112,6 +113,12 @@ class Reader {
   Status shape() const {
     if (strict_) return fail(alarm(AlarmId::figure_unavailable, call_.where, block_.text_of(block_.number_where)));
     return fail(alarm(AlarmId::contour_shape, call_.where, double(number_)));
+  }
+  /// Records that the cycle has read a line, so that `kadr setup` does not list it as not executed.
+  void pass_line(std::uint32_t line) const {
+    Origin origin = m_.origin;
+    origin.line = line;
+    m_.use.pass(origin);
   }
   Status without(std::string_view what) const { return fail(alarm(AlarmId::not_available, call_.where, what)); }
 

@@ -27,6 +27,8 @@ Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
 /// of the curve cannot be used.
 bool has_frame(const Step& step) { return step.from.space && step.from.space->has_frame(); }
 
+bool is_lathe(const AxisRoles& roles) { return roles.xyz[0] >= 0 && roles.xyz[1] < 0 && roles.xyz[2] >= 0; }
+
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
   if (is_arc(motion.kind) || motion.kind == MotionKind::spline) return Stroke::arc;
   if (motion.kind == MotionKind::probe) return Stroke::probe;
@@ -78,7 +80,8 @@ void Plot::take_motion(const Step& step, const Motion& motion) {
     start_ = {PlotMark::What::start, from + shift_, last_line_};
   }
   started_ = true;
-  const Stroke stroke = stroke_of(motion, from, to);
+  Stroke stroke = stroke_of(motion, from, to);
+  if (stroke == Stroke::plunge && is_lathe(roles_)) stroke = Stroke::feed;  // on a lathe a cut along Z is the usual one
   if (cuts(stroke)) {
     if (zeros_.empty()) take_reference();
     mark_zero();
@@ -146,7 +149,9 @@ std::vector<PlotMark> Plot::marks() const {
 tl::expected<void, std::string> Plot::write(const ResultFile& file, const PlotTitle& title) const {
   PlotPath contour = contour_;
   contour.move_all(-1.0 * first_origin_);
-  return draw_page(file, {path_, contour, zeros_, marks(), title, ShadeScale(colour_, path_), directions_.leaning()});
+  PlotScene scene{path_, contour, zeros_, marks(), title, ShadeScale(colour_, path_), directions_.leaning()};
+  scene.lathe = is_lathe(roles_);
+  return draw_page(file, scene);
 }
 
 }  // namespace kadr

@@ -21,6 +21,7 @@ struct PlotTitle {
   LengthUnit unit = LengthUnit::mm;  // unit in which the picture states lengths
   // names of the files that contain the program lines; the key is the file number Origin::file
   std::map<std::uint16_t, std::string> files{};
+  bool x_is_diameter = false;  // true: in the view of a lathe the numbers along X are diameters; the picture itself is in true lengths
 
   std::string_view file_of(const ProgramLine& line) const {
     const auto found = files.find(line.file);
@@ -36,7 +37,8 @@ struct PlotMark {
 };
 
 /// Processes steps in order. The picture shows the work coordinates in which the first cut is made. Motions in other work coordinates are
-/// drawn at their true position on the machine.
+/// drawn at their true position on the machine. For a channel with X and Z, but no Y, as a lathe has, the picture is one view with Z to the
+/// right and X upwards.
 class Plot {
  public:
   Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start);

@@ -44,7 +44,7 @@ void draw_strokes_row(Row& row, const PlotScene& scene) {
   if (shades.by() == PlotColour::stroke) {
     row.stroke(Stroke::feed, plain_text(texts::picture::feed, lang));
     row.stroke(Stroke::arc, plain_text(texts::plot_legend::arc, lang));
-    row.stroke(Stroke::plunge, plain_text(texts::plot_legend::plunge, lang));
+    if (!scene.lathe) row.stroke(Stroke::plunge, plain_text(texts::plot_legend::plunge, lang));
   } else if (shades.by() == PlotColour::limit) {
     row.words(plain_text(texts::plot_legend::limited_by, lang), 16);
     for (std::size_t step = 0; step < shades.steps(); ++step)

@@ -1,4 +1,5 @@
-// Draws the page of a plot: the title at the top, a large isometric view on the left, the planes on the right, the legend at the bottom.
+// Draws the page of a plot: the title at the top, a large isometric view on the left, the planes on the right, the legend at the bottom;
+// of a lathe one view with Z to the right and X upwards.
 // This file is used by cli and out.
 
 #include "out/picture/plot/plot_page.h"
@@ -56,6 +57,7 @@ void draw_all(Canvas& canvas, const PlotScene& scene) {
                 {22, colour(0x5B6775), Align::centre, false});
     return;
   }
+  if (scene.lathe) return draw_plane(canvas, {margin, top, page_width - 2 * margin, bottom - top + 24}, View::zx, scene, near);
   draw_isometric(canvas, large, scene, whole);
   // The height is divided between the three flat views according to their needs. The plan view gets most of it.
   const double left = large.right() + gap;

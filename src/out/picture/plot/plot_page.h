@@ -1,6 +1,6 @@
 #pragma once
 // The page of a plot. It contains the title, a large isometric view on the left, the three planes on the right, and the legend at the
-// bottom.
+// bottom. The page of a lathe has one view instead, with Z to the right and X upwards.
 
 #include <string>
 #include <vector>
@@ -21,6 +21,7 @@ struct PlotScene {
   std::vector<ToolDirection> tools{};  // directions of the tool axis along the path; empty if the tool is never tilted
   // differences of two programs; `path` is then the path that both programs follow; nullptr: the plot shows a single program
   const PlotDifferences* differences = nullptr;
+  bool lathe = false;  // true: the page has one view, with Z to the right and X upwards
 };
 
 /// Returns all paths that the scene contains.

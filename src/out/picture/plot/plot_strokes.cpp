@@ -215,7 +215,7 @@ bool lines_are_tagged(const PlotScene& scene) {
 }
 
 void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene) {
-  LineTags tags(canvas, scene, view == View::isometric);
+  LineTags tags(canvas, scene, view == View::isometric || view == View::zx);
   if (scene.differences != nullptr) return draw_paths(canvas, tags, view, scale, scene);
   draw_lines(canvas, tags, view, scale, scene.contour, Stroke::contour);
   draw_lines(canvas, tags, view, scale, scene.path, Stroke::rapid);

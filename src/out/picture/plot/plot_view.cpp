@@ -26,8 +26,8 @@ struct PlaneNames {
   const char* across;
   const char* up;
 };
-constexpr std::array<PlaneNames, 4> plane_names = {
-    {{"view-isometric", "", ""}, {"view-xy", "X", "Y"}, {"view-xz", "X", "Z"}, {"view-yz", "Y", "Z"}}};
+constexpr std::array<PlaneNames, 5> plane_names = {
+    {{"view-isometric", "", ""}, {"view-xy", "X", "Y"}, {"view-xz", "X", "Z"}, {"view-yz", "Y", "Z"}, {"view-zx", "Z", "X"}}};
 
 const PlaneNames& names_of(View view) { return plane_names[static_cast<std::size_t>(view)]; }
 
@@ -38,24 +38,31 @@ std::array<Vec3, 8> corners(const Box& box) {
   return all;
 }
 
-/// Draws light grid lines at round values. The values are printed on the left and below.
-void draw_grid(Canvas& canvas, const Area& area, View view, const ViewScale& scale, LengthUnit unit) {
+/// Draws light grid lines at round values. The values are printed on the left and below; those on the left are diameters in the view of a
+/// lathe whose X is programmed so.
+void draw_grid(Canvas& canvas, const Area& area, View view, const ViewScale& scale, const PlotTitle& title) {
+  const LengthUnit unit = title.unit;
   const double step = mm_of(unit) * round_step(tick_spacing / scale.per_mm / mm_of(unit));
+  const bool diameters = view == View::zx && title.x_is_diameter;
+  const double times = diameters ? 2 : 1;  // a number along `up` is so many times the height
+  const double step_up = mm_of(unit) * round_step(times * tick_spacing / scale.per_mm / mm_of(unit)) / times;
   const TextStyle number{11, faint_ink, Align::centre, false};
   const TextStyle number_left{11, faint_ink, Align::right, false};
-  const auto first = [&](double least) { return std::ceil(least / step - 1e-9); };
-  for (double n = first((area.x - scale.zero.x) / scale.per_mm); scale.zero.x + n * step * scale.per_mm <= area.right(); ++n) {
+  const auto first_of = [](double least, double of_step) { return std::ceil(least / of_step - 1e-9); };
+  for (double n = first_of((area.x - scale.zero.x) / scale.per_mm, step); scale.zero.x + n * step * scale.per_mm <= area.right(); ++n) {
     const double x = scale.zero.x + n * step * scale.per_mm;
     canvas.line({x, area.y}, {x, area.bottom()}, n == 0 ? grid_zero : grid, 1);
     canvas.text({x, area.bottom() + 15}, length_text(n * step, unit), number);
   }
-  for (double n = first((scale.zero.y - area.bottom()) / scale.per_mm); scale.zero.y - n * step * scale.per_mm >= area.y; ++n) {
-    const double y = scale.zero.y - n * step * scale.per_mm;
+  for (double n = first_of((scale.zero.y - area.bottom()) / scale.per_mm, step_up); scale.zero.y - n * step_up * scale.per_mm >= area.y;
+       ++n) {
+    const double y = scale.zero.y - n * step_up * scale.per_mm;
     canvas.line({area.x, y}, {area.right(), y}, n == 0 ? grid_zero : grid, 1);
-    canvas.text({area.x - 6, y + 4}, length_text(n * step, unit), number_left);
+    canvas.text({area.x - 6, y + 4}, length_text(times * n * step_up, unit), number_left);
   }
   canvas.text({area.right() - 8, area.bottom() - 8}, names_of(view).across, {14, ink, Align::right, true});
-  canvas.text({area.x + 8, area.y + 18}, names_of(view).up, {14, ink, Align::left, true});
+  const std::string up = names_of(view).up;
+  canvas.text({area.x + 8, area.y + 18}, diameters ? up + " Ø" : up, {14, ink, Align::left, true});
 }
 
 void draw_origins(Canvas& canvas, View view, const ViewScale& scale, const std::vector<Vec3>& zeros) {
@@ -151,6 +158,7 @@ Vec2 projected(View view, Vec3 p) {
     case View::xy: return {p.x, p.y};
     case View::xz: return {p.x, p.z};
     case View::yz: return {p.y, p.z};
+    case View::zx: return {p.z, p.x};
     default: return {(p.x - p.y) * iso_cos, (p.x + p.y) * iso_sin + p.z};
   }
 }
@@ -194,7 +202,7 @@ void draw_field(Canvas& canvas, const Area& area, View view, const PlotScene& sc
   const Area field{area.x + left, area.y, area.width - left, area.height - below};
   const ViewScale scale = fitted(view, box, {field.x + inside, field.y + inside, field.width - 2 * inside, field.height - 2 * inside});
   canvas.fill(field, paper);
-  draw_grid(canvas, field, view, scale, scene.title.unit);
+  draw_grid(canvas, field, view, scale, scene.title);
   canvas.clip(field);
   draw_tools(canvas, view, scale, scene, box);
   draw_strokes(canvas, view, scale, scene);

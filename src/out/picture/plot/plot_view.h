@@ -6,7 +6,7 @@
 
 namespace kadr {
 
-enum class View : std::uint8_t { isometric, xy, xz, yz };
+enum class View : std::uint8_t { isometric, xy, xz, yz, zx };  // zx: as lathes are drawn, Z to the right, X upwards
 
 /// Returns the position of a point in the plane of the view; v points upwards. In the isometric view, X points to the right and away from
 /// the viewer, and Y to the left and away. The part is therefore seen from the south-west.
