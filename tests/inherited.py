@@ -65,7 +65,7 @@ def strangers_in(kadr, control, table):
 def main():
     kadr = harness.kadr_of(__doc__)
     tables = {path.stem: tomllib.loads(path.read_text(encoding='utf-8')) for path in CONTROLS.glob('*.toml')}
-    extending = sorted(control for control, table in tables.items() if 'extends' in table)
+    extending = sorted(control for control, table in tables.items() if 'extends' in table and 'id' in table)
     faults = [fault for control in extending for fault in faults_of(control)]
     faults += [f'{control}: {word} stands in what is told of it' for control in extending if 'parameters' in tables[control]
                for word in strangers_in(kadr, control, tables[control])]
