@@ -81,7 +81,7 @@ class Writing {
         may_change = comments_.names_rows();
       }
       // Reading the offsets takes longer than the block itself, so they are read only after a change
-      if (may_change || has_changed_) now_ = offsets_of(session_->control());
+      if (may_change || has_changed_) now_ = offsets_of(session_->control(), session_->def());
       has_changed_ = may_change;
       if (origin.has_block && origin.file == 0 && origin.line != numbered_) blocks_.set_number(origin.block);
       numbered_ = origin.line;
@@ -233,6 +233,11 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
        {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
     if (spec.flat && (as == ConvertedAs::as_it_stands || as == ConvertedAs::words)) continue;
     if (spec.only && as != *spec.only) continue;
+    if (as == ConvertedAs::words && is_lathe(opened->def()) != is_lathe(*spec.to)) {
+      ConversionTry& one = all.tries.emplace_back();
+      one.as = as, one.cannot_express = alarm(AlarmId::conversion_of_lathe, {});
+      continue;
+    }
     auto one = one_try(spec, as, shape, proving);
     if (!one) return tl::unexpected(one.error());
     if (one->is_proven()) {

@@ -4,6 +4,7 @@
 #include "convert/source_setup.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -31,6 +32,25 @@ std::map<int, AxisValues> zeros_of(const Setup& setup, const ControlDef& def) {
   return zeros;
 }
 
+/// Returns the number of the imaginary tip of a turning tool on LinuxCNC, for its number on other controls, or the reverse. LinuxCNC draws
+/// the tips with X pointing down, so the two numbers differ by a mirror image in X (spec/fanuc-t 7.1).
+double mirrored_tip(double tip) {
+  constexpr std::array<int, 10> numbers{0, 4, 3, 2, 1, 5, 8, 7, 6, 9};
+  return tip >= 0 && tip < double(numbers.size()) ? numbers[static_cast<std::size_t>(tip)] : tip;
+}
+
+/// Returns the row of the target control's offset table that moves the machine like this row of the source control. A lathe has geometry
+/// and wear of each axis; the other controls have one value, their sum.
+ToolOffset offset_there(const ToolOffset& offset, const ControlDef& from, const ControlDef& to) {
+  if (is_lathe(from) == is_lathe(to)) return offset;
+  ToolOffset sum;
+  sum.length = offset.whole_length(), sum.radius = offset.whole_radius();
+  sum.length_x = offset.length_x + offset.length_x_wear, sum.length_y = offset.length_y + offset.length_y_wear;
+  const bool mirrors = from.has_parameter_file() != to.has_parameter_file();
+  sum.tip_position = mirrors ? mirrored_tip(offset.tip_position) : offset.tip_position;
+  return sum;
+}
+
 bool has_systems(const ControlDef& def) { return std::any_of(def.codes.begin(), def.codes.end(), is_system); }
 
 /// The axes that the target machine has. Filters tables by the names of these axes.
@@ -51,12 +71,13 @@ class KnownAxes {
 /// Returns the axes that the program needs, if set-ups of the target control list the axes of the machine; else an empty list.
 std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names) {
   if (!to.machine_axes()) return {};
-  if (from.machine_axes()) return setup.axes;
-  std::vector<std::string> axes = {"X", "Y", "Z"};
+  if (from.machine_axes() && (is_lathe(from) || !is_lathe(to) || !setup.axes.empty())) return setup.axes;
+  std::vector<std::string> axes = {"X", "Z"};
+  if (!is_lathe(to)) axes.insert(axes.begin() + 1, "Y");
   for (const std::string& axis : from.axes)
     if (axis.size() == 1 && (names.letters >> (axis.front() - 'A') & 1U) != 0 && std::find(axes.begin(), axes.end(), axis) == axes.end())
       axes.push_back(axis);
-  return axes.size() > 3 ? axes : std::vector<std::string>();
+  return axes.size() > 3 || is_lathe(to) ? axes : std::vector<std::string>();
 }
 
 /// Copies the spindles into the new set-up. If the target control's set-up describes its spindles, all are copied; otherwise only speed and
@@ -74,7 +95,8 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
                  const ProgramNames& names) {
   const SetupNamesOf known(&to, to.axes, to.axes);
   for (const auto& [number, offset] : setup.offsets)
-    if (allows_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number))) made.offsets[number] = offset;
+    if (allows_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number)))
+      made.offsets[number] = offset_there(offset, from, to);
   // M6 and G43 look the tool up in a tool table, so each offset needs a row there (spec/linuxcnc 5)
   if (to.has_parameter_file() && !made.offsets.empty())
     for (const std::uint32_t tool : names.tools)
@@ -96,12 +118,16 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
 
 }  // namespace
 
+bool is_lathe(const ControlDef& def) { return def.behaviour.lathe != Lathe::none; }
+
+bool turns(const ControlDef& from, const ControlDef& to) { return is_lathe(from) || is_lathe(to); }
+
 bool allows_key(const ControlDef& def, const char* key) {
   const nlohmann::json table = {{key, nlohmann::json::object()}};
   return !fault_of(table, table, &def);
 }
 
-OffsetsInForce offsets_of(const Control& control) {
+OffsetsInForce offsets_of(const Control& control, const ControlDef& def) {
   OffsetsInForce now;
   const auto number_in = [](const std::string& word) { return std::uint32_t(std::strtoul(word.c_str() + 1, nullptr, 10)); };
   // The words D and H in force are read from state_now(), not from in_force(), which also returns the variables, of which there may be
@@ -112,12 +138,15 @@ OffsetsInForce offsets_of(const Control& control) {
     if (word == "G43" || word == "G44") now.length_sign = word == "G43" ? 1 : -1;
   }
   if (now.length_number == 0) now.length_number = now.radius_number;
+  if (is_lathe(def)) now.length_sign = now.length_number != 0 ? 1 : 0;  // the T word puts the offset into force
   return now;
 }
 
 FlatSource flat_source_of(const Session& session, const ControlDef& to) {
   FlatSource source{session.control().axes(), {}, has_systems(session.def()), shows_same_messages(session.def(), to)};
   source.systems = system_names(to);
+  source.turns = turns(session.def(), to);
+  source.diameters = is_lathe(to) || (is_lathe(session.def()) && row_that_does(to, {{Function::diameter_mode, 1}}) != nullptr);
   const MachineCodes codes(session.def(), to);
   for (const auto& [here, there] : codes.pairs()) {
     source.machine_codes[here] = there;
@@ -221,7 +250,12 @@ std::string setup_text(const Setup& setup) {
     for (const auto& [name, value] : {std::pair{"length", offset.length},
                                       {"length_wear", offset.length_wear},
                                       {"radius", offset.radius},
-                                      {"radius_wear", offset.radius_wear}})
+                                      {"radius_wear", offset.radius_wear},
+                                      {"length_x", offset.length_x},
+                                      {"length_x_wear", offset.length_x_wear},
+                                      {"length_y", offset.length_y},
+                                      {"length_y_wear", offset.length_y_wear},
+                                      {"tip_position", offset.tip_position}})
       if (value != 0) row[name] = value;
   }
   for (const auto& [name, value] : setup.variables)

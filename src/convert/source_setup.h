@@ -18,6 +18,11 @@ namespace kadr {
 ///   plain  true: leave out the tables, because the converted program has all offsets applied to its coordinates
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain);
 
+/// True if the control is that of a lathe: T has an offset for each axis, and X is a diameter.
+bool is_lathe(const ControlDef& def);
+/// True if one of the two controls is that of a lathe.
+bool turns(const ControlDef& from, const ControlDef& to);
+
 /// True if the set-up of this control may contain the key.
 bool allows_key(const ControlDef& def, const char* key);
 
@@ -38,6 +43,7 @@ std::string setup_text(const Setup& setup);
 /// Returns the properties of a session's program and set-up that the program's actions do not state.
 FlatSource flat_source_of(const Session& session, const ControlDef& to);
 /// Returns the numbers of the length and radius offsets in force after the blocks executed so far.
-OffsetsInForce offsets_of(const Control& control);
+///   def  the definition of the control
+OffsetsInForce offsets_of(const Control& control, const ControlDef& def);
 
 }  // namespace kadr
