@@ -45,6 +45,7 @@ BEHAVIOUR = {name: kind for kind, name in struct_fields(DEF_H, "Behaviour")}
 PARAMETER_ENUMS = {"scope": enum_names(DEF_H, "ParameterScope"), "type": enum_names(DEF_H, "ParameterType"),
                    "when": enum_names(DEF_H, "ParameterClass")}
 ENUMS = {name: enum_names(DEF_H, name) for name in ("ArcCenters", "ArcRadius", "LengthOffset", "CompensationEntry", "DwellUnit", "LaterWord", "CycleWords")}
+ENUMS["Lathe"] = enum_names(header("config/control/code_system.h"), "Lathe")
 END_OF_BLOCK = enum_names(GRAMMAR_H, "EndOfBlock")
 OPERATIONS = set(enum_names(header("lang/expression/operation.h"), "Op"))
 EXPRESSION_KEYS = {"operators": {"does", "binding"}, "functions": {"does", "operand", "of_two"}, "relations": {"does"}}
@@ -55,7 +56,7 @@ GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"wor
                                                                              "expression"}
 GRAMMAR_KEYS |= {"macro", "formal_parameter", "parameters_in", "label", "section", "most_codes"}
 TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "expressions", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
-            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess", "encoding", "convert"}
+            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess", "encoding", "convert", "systems"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "point", "format", "phase", "second", "many"}
 CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "in_part", "told",
@@ -344,10 +345,16 @@ def is_parameters(path):
 
 
 def check_parameters(name, table):
+    base = table.pop("extends", None)
+    below = load(CONTROLS / f"{base}.toml") if base is not None else {}
+    check(below is not None and is_parameters(CONTROLS / f"{base}.toml") if base is not None else True, f"{name}: extends no table: {base}")
     numbers = [key for key in table if key.isdigit()]
     check(list(table)[:len(numbers)] == sorted(numbers), f"{name}: rows by number, then those without one")
     for key, row in table.items():
         where = f"{name}: {key}"
+        if row is False:  # removes the row of the table that this one extends
+            check(key in below, f"{where}: {base} has no such row")
+            continue
         check(re.fullmatch(r"\d{4}|[A-Z]+", key), f"{where}: four digits, or capital letters")
         check_keys(row, PARAMETER_KEYS, where)
         check_text(row, where)
@@ -415,12 +422,22 @@ def check_alarm_calls(table):
                 check(len(parts) - 1 >= args, f"{path.relative_to(ROOT)}:{line}: {call[1]} gives {len(parts) - 1} arguments, its text uses {args}")
 
 
-def merged(path, depth=0):
-    """Lays a control's table over the one it extends, as src/config does."""
+def merged(path, depth=0, over=""):
+    """Lays a control's table over the one it extends, as src/config does. `over`: the control in place of the one that the file extends."""
     table = load(path)
     if table is None or "extends" not in table or depth == 8:
         return table
-    under = merged(CONTROLS / f"{table['extends']}.toml", depth + 1)
+    base, base_over = over or table["extends"], ""
+    if isinstance(base, list):
+        base_over, base = base
+    under = merged(CONTROLS / f"{base}.toml", depth + 1, base_over)
+    if over and under is not None:  # no alarm numbers of another maker; a code with a meaning of its own keeps nothing of the code below it
+        table.pop("alarms", None)
+        for section in ("g", "m"):
+            for key, row in table.get(section, {}).items():
+                if isinstance(row, dict) and "does" in row:
+                    under.get(section, {}).pop(key, None)
+            table[section] = {key: row for key, row in table.get(section, {}).items() if row is not False or key in under.get(section, {})}
     return None if under is None else lay(under, table)
 
 
@@ -431,7 +448,8 @@ def lay(under, over):
             under[key] = value
         elif key == "variables" and isinstance(under.get(key), list):  # a row of the same symbol replaces the row below it
             symbols = {row.get("symbol") for row in value} - {None}
-            under[key] = value + [row for row in under[key] if row.get("symbol") not in symbols]
+            # a row with nothing but a symbol only removes the row below it
+            under[key] = [row for row in value if set(row) != {"symbol"}] + [row for row in under[key] if row.get("symbol") not in symbols]
         elif value is False and isinstance(under.get(key), dict):  # the control removes this row
             del under[key]
         else:

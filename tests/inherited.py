@@ -15,10 +15,13 @@ CONTROLS = harness.ROOT / 'controls'
 HEADING = '## Taken over from '
 
 
-def behaviour_of(control):
-    """Returns the [behaviour] keys of the control and those it extends, with the control that sets each last."""
+def behaviour_of(control, over=''):
+    """Returns the [behaviour] keys of the control and those it extends, with the control that sets each last. `over`: the control in place of
+    the one that it extends."""
     table = tomllib.loads((CONTROLS / f'{control}.toml').read_text(encoding='utf-8'))
-    keys = behaviour_of(table['extends']) if 'extends' in table else {}
+    base = over or table.get('extends', '')
+    base_over, base = base if isinstance(base, list) else ('', base)
+    keys = behaviour_of(base, base_over) if base else {}
     return {**keys, **dict.fromkeys(table.get('behaviour', {}), control)}
 
 
@@ -45,7 +48,7 @@ def strangers_in(kadr, control, table):
     have."""
     root = control
     while 'extends' in (under := tomllib.loads((CONTROLS / f'{root}.toml').read_text(encoding='utf-8'))):
-        root = under['extends']
+        root = under['extends'] if isinstance(under['extends'], str) else under['extends'][0]
     own = tomllib.loads((CONTROLS / f'{table["parameters"]}.toml').read_text(encoding='utf-8'))
     numbers = {f'N{int(number):04}' for number in own if number.isdigit()}
     for options in ([], ['--markdown']):

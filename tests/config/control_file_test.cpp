@@ -216,6 +216,23 @@ TEST(extends, keeps_what_the_changed_row_does_not_name) {
   EXPECT_EQ(code_of(own, 'G', 0)->text.en, "fast");
 }
 
+TEST(extends, two_lays_the_rows_of_the_second_over_the_first) {
+  const ControlDef own = extended("id = \"own\"\nextends = [\"haas\", \"fanuc-t\"]\n");
+  EXPECT_EQ(own.lineage, (std::vector<std::string>{"fanuc-t", "haas", "fanuc", "nct"}));
+  EXPECT_NE(code_of(own, 'M', 970), nullptr) << "M97 of haas";
+  EXPECT_EQ(code_of(own, 'M', 970)->function, Function::call_local);
+  EXPECT_EQ(code_of(own, 'G', 710)->function, Function::turning_cycle) << "G71 of fanuc-t, not the holes of haas";
+  EXPECT_EQ(own.behaviour.lathe, Lathe::fanuc);
+  EXPECT_EQ(own.alarms.at(AlarmId::code_unknown).number, load_control("haas").value().alarms.at(AlarmId::code_unknown).number);
+  EXPECT_FALSE(own.alarms.contains(AlarmId::figure_words)) << "fanuc-t gives its alarm numbers to no other control";
+}
+
+TEST(errors, of_an_unreadable_base) {
+  for (const char* base : {"[\"haas\"]", "5", "[\"haas\", 5]", "[\"haas\", \"fanuc-t\", \"nct\"]"})
+    EXPECT_NE(refusal("id = \"own\"\nextends = " + std::string(base) + "\n").find("own.toml:2"), std::string::npos) << base;
+  EXPECT_NE(refusal("id = \"own\"\nextends = [\"nap\", \"fanuc-t\"]\n").find("nap"), std::string::npos);
+}
+
 TEST(errors, name_file_line_and_thing) {
   struct Case {
     const char* toml;

@@ -138,11 +138,42 @@ struct Below {
   std::set<FileId> files;             // the user's own files so far; a file that occurs a second time extends itself, which is a fault
 };
 
+/// The controls over which the rows of a file are laid.
+struct Bases {
+  std::optional<std::string> next;  // control that the file extends
+  std::string over;                 // control that `next` extends here, in place of its own base; empty: its own base
+};
+
+/// Reads the key `extends`: the name of a control; or two names, [A, B], of which B is laid over A, not over its own base. `over`: the
+/// control in place of the base that the file itself names; empty if there is none.
+Bases bases_of(const toml::table& table, const std::string& over) {
+  const auto base = table["extends"].value<std::string>();
+  if (!over.empty()) return {over, {}};
+  if (const toml::array* const pair = table["extends"].as_array(); pair != nullptr && pair->size() == 2)
+    return {(*pair)[1].value<std::string>(), (*pair)[0].value_or(std::string())};
+  return {base, {}};
+}
+
+/// Prepares a file that is laid over a control of another maker: the file gives that control no alarm numbers, and a code that means
+/// something of its own (key `does`) keeps nothing of the other maker's code of the same name.
+void lay_on_other_maker(toml::table& under, toml::table& over) {
+  over.erase("alarms");
+  for (const std::string_view section : {"g", "m"}) {
+    toml::table *const below = under[section].as_table(), *const own = over[section].as_table();
+    if (below == nullptr || own == nullptr) continue;
+    for (const auto& [key, row] : *own)
+      if (row.is_table() && row.as_table()->contains("does")) below->erase(key.str());
+  }
+}
+
 /// Returns the table of a file, merged over the tables of the controls that it extends.
-Table merged(Table table, const std::string& file, From from, Below& below, const FileAccess* door) {
+///   over  id of the control over which the file is laid, in place of the base that the file names; empty: the base that the file names
+Table merged(Table table, const std::string& file, From from, Below& below, const FileAccess* door, const std::string& over = {}) {
   constexpr std::size_t deepest = 16;  // greatest number of controls that may extend one another
   if (!table) return table;
-  const auto base = (*table)["extends"].value<std::string>();
+  const auto [base, base_over] = bases_of(*table, over);
+  if (!base && table->contains("extends"))
+    return Failed(toml_tools::place(file, *table->get("extends")) + translated(texts::control_file::extends_form));
   if (!base) return table;
   if (!table->contains("id")) return Failed(translated(texts::control_file::extending_needs_id, file));
   if (below.lineage.size() == deepest) return Failed(translated(texts::control_file::extends_too_deep, file, deepest));
@@ -158,8 +189,9 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
       return Failed(translated(texts::control_file::extends_itself, file));
     base_table = toml_tools::parsed(*text, name);
   }
-  auto under = merged(std::move(*base_table), name, from, below, door);
+  auto under = merged(std::move(*base_table), name, from, below, door, base_over);
   if (!under) return under;
+  if (!over.empty()) lay_on_other_maker(*under, *table);
   // The keys `aliases`, `guess` and `systems` belong to the base control only, so a control that extends it does not inherit them
   for (const std::string_view own : {"aliases", "guess", "systems"}) under->erase(own);
   if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>())

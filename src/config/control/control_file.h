@@ -1,5 +1,7 @@
 #pragma once
 // Loads controls/*.toml as ControlDef. A user's own file may extend a built-in control: `extends = "gost"`, followed by the differences.
+// `extends = ["haas", "fanuc-t"]` extends two: the rows of the second are laid over the first, in place of the base that the second names,
+// and the alarm numbers are those of the first.
 
 #include <string>
 #include <string_view>

@@ -32,6 +32,7 @@ std::int32_t initial_lathe_code(const BlockContext& m, const Settings& s, int gr
       for (const CodeRow& row : m.def.codes)
         if (s.lathe.feed_per_minute && row.function == Function::feed_per_minute) return row.tenth;
       return otherwise;
+    case 6: return s.lathe.inch_at_start ? 20_g : otherwise;
     default: return otherwise;
   }
 }
@@ -118,7 +119,7 @@ void Fanuc::take_reference_points(BlockContext& m) {
 
 void Fanuc::read_parameters(BlockContext& m) {
   MacroB::read_parameters(m);
-  settings = fanuc::read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers, m.def.behaviour.lathe != Lathe::none);
+  settings = fanuc::read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers, m.def.behaviour.lathe);
   if (const ParameterId most = parameters.named("1400"); most != ParameterId::none)
     settings.offset_numbers = static_cast<int>(parameters.value(most));
   if (m.def.behaviour.tool_along_third) settings.length_axes = settings.length_of_block ? 0 : std::max(settings.length_axes, 1);

@@ -8,12 +8,15 @@
 #include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "config/control/drill_steps.h"
+#include "control/fanuc/drilling/drilling_axis.h"
 #include "control/fanuc/drilling/drilling_run.h"
 #include "control/fanuc/drilling/pattern.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/frames/transformations.h"
 #include "control/fanuc/geometry/automatic_geometry.h"
+#include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/lathe/lathe.h"
+#include "control/fanuc/lathe/lathe_words.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
 
@@ -35,46 +38,6 @@ bool moves_by_code(const BlockContext& m) {
   return m.has_code({Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::thread, Function::turning_simple});
 }
 
-/// Returns the drilling direction for the plane in force as a number: 1 for X, 2 for Y, 3 for Z.
-int drilling_direction(const BlockContext& m) {
-  if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1: drilling is always along Z
-  return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
-}
-
-bool has_direction(const BlockContext& m, std::size_t axis, int direction) {
-  const int role = fanuc_of(m).settings.axes[axis].role;
-  return role == direction || role == direction + 4;
-}
-
-/// Returns the block's word for an axis of the drilling direction, which gives the bottom of the hole; nullptr if there is no such word.
-///   alarms  not_together: words of both the main and the parallel axis (18.0 does not say), address_twice
-Result<const Word*> bottom_word(const BlockContext& m) {
-  const int direction = drilling_direction(m);
-  const Word* found = nullptr;
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
-    const Word& w = m.block->words[i];
-    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
-    const std::size_t axis = m.def.address(w.address).axis;
-    if (!has_direction(m, axis, direction)) continue;
-    if (found != nullptr && m.def.address(found->address).axis == axis) return fail(alarm(AlarmId::address_twice, w.where, w.address));
-    if (found != nullptr) return fail(alarm(AlarmId::not_together, w.where, m.block->text_of(found->where), m.block->text_of(w.where)));
-    found = &w;
-  }
-  return found;
-}
-
-/// Returns the axis of the bottom word. Without that word, returns the drilling axis of the cycle in force. INFERRED: if no cycle is in
-/// force, returns the main axis of the drilling direction, or -1 if the channel lacks this axis.
-int drilling_axis(const BlockContext& m, const Word* bottom) {
-  if (bottom != nullptr) return m.def.address(bottom->address).axis;
-  const int direction = drilling_direction(m);
-  if (const std::size_t axis = fanuc_of(m).state.drilling.axis; drilling_on(m) && has_direction(m, axis, direction))
-    return static_cast<int>(axis);
-  for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (fanuc_of(m).settings.axes[a].role == direction) return static_cast<int>(a);
-  return -1;
-}
-
 /// Executes one block with a drilling cycle: stores its words, computes the levels, executes operation 1 and starts the other operations.
 class Drilling {
  public:
@@ -87,9 +50,9 @@ class Drilling {
 
   Status run() {
     KADR_TRY(possible());
-    const auto bottom = bottom_word(m_);
+    const auto bottom = bottom_word(m_, *call_.row);
     if (!bottom) return fail(bottom.error());
-    const int axis = drilling_axis(m_, *bottom);
+    const int axis = drilling_axis(m_, *call_.row, *bottom);
     if (axis < 0) return fail(alarm(AlarmId::plane_illegal, call_.where));
     const AxisMask drills = AxisMask{1} << axis;
     if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
@@ -107,6 +70,7 @@ class Drilling {
       if (!(passes >= 0 && passes <= max_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
     }
     if (passes == 0 || m_.has_code({Function::hole_pattern})) return {};
+    if (is_lathe()) suspend_side(m_);
     KADR_TRY(over_hole(m_, memory_.axis));
     return start({}, static_cast<std::uint32_t>(passes));
   }
@@ -131,6 +95,7 @@ class Drilling {
     return {};
   }
 
+  bool is_lathe() const { return m_.def.behaviour.lathe != Lathe::none; }
   bool is_tap() const { return code_ == 84.2_g || code_ == 84.3_g; }
   bool shifts() const { return code_ == 76_g || (code_ == 87_g && (spindle().orients || by_q())); }
   bool by_q() const { return m_.def.behaviour.shifts_by_q(); }
@@ -175,8 +140,10 @@ class Drilling {
     return {};
   }
 
-  /// Returns the tool's position computed without the new tool length of this block, which takes effect with operation 3.
+  /// Returns the tool's position computed without the new tool length of this block, which takes effect with operation 3. The offset of a
+  /// lathe's T takes effect before the block.
   Axes before_new_length() const {
+    if (is_lathe()) return m_.position.programmed;
     Placement frames = m_.frames;
     frames.length = m_.state_before().modal.lengths;
     return m_.transform.to_programmed(frames.work_of(m_.position.machine));
@@ -189,6 +156,8 @@ class Drilling {
     }
     if (const Word* const r = m_.word('R'); r != nullptr) {  // R is always a radius, even in diameter programming (5.3)
       memory_.level = m_.length_value('R');
+      // R of drilling along X is a coordinate of X, and so a diameter (spec/haas-st 7.3)
+      if (drills_on_side(*call_.row) && is_diameter(m_, memory_.axis)) memory_.level /= 2;
       memory_.level_added = !m_.modal.absolute || r->incremental;
     }
     const bool percent = has_percent() && !m_.def.behaviour.shifts_by_q();
@@ -196,7 +165,8 @@ class Drilling {
     if (m_.has('I') && !percent) memory_.shift.x = m_.length_value('I');
     if (m_.has('J')) memory_.shift.y = m_.length_value('J');
     if (m_.has('K') && !m_.def.behaviour.repeats_by_k) memory_.shift.z = m_.length_value('K');
-    if (m_.has('Q') && by_q()) memory_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: the sign of Q has no effect
+    if (m_.has('Q') && by_q())
+      memory_.peck = std::fabs(is_lathe() ? step_of(m_, 'Q') : m_.length_value('Q'));  // spec/fanuc 10.5: the sign of Q has no effect
     else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), memory_.peck));
     if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), memory_.clearance));
     if (m_.has('P') && m_.def.behaviour.dwell_unit != DwellUnit::seconds) {
@@ -225,7 +195,7 @@ class Drilling {
     job.initial = memory_.initial;
     job.level = memory_.level_added ? memory_.initial + memory_.level : memory_.level;
     job.bottom = memory_.bottom_added ? job.level + memory_.bottom : memory_.bottom;
-    job.to_initial = m_.modal.retract_initial;
+    job.to_initial = is_lathe() || m_.modal.retract_initial;  // spec/haas-st 7.1: the initial level always
     for (const double level : {job.level, job.bottom, job.initial})
       if (!(std::fabs(level) <= farthest))
         return fail(alarm(AlarmId::position_out_of_range, call_.where, std::string_view(m_.axis_names[memory_.axis]), level));
@@ -328,16 +298,20 @@ std::int16_t motion_row(const BlockContext& m) {
 }
 
 int drills_along(const BlockContext& m) {
+  if (m.def.behaviour.lathe != Lathe::none) return -1;  // T of a lathe has put the lengths of all axes into force
   const bool coded = m.has_code({Function::drilling});
   if (!coded && (!drilling_on(m) || m.block_axes_taken || m.has_code({Function::drilling_off}))) return -1;
   if (!m.has_axis_words() || moves_by_code(m)) return -1;
-  const auto bottom = bottom_word(m);
-  return bottom ? drilling_axis(m, *bottom) : -1;
+  const std::int16_t row = motion_row(m);
+  const CodeRow& cycle = m.def.codes[static_cast<std::size_t>(std::max<std::int16_t>(row, 0))];
+  const auto bottom = bottom_word(m, cycle);
+  return bottom ? drilling_axis(m, cycle, *bottom) : -1;
 }
 
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
   if (row.letter == 'M' && fanuc_of(m).settings.part_code != 0 && tenth == 10 * fanuc_of(m).settings.part_code)
     macro_b_of(m).state.parts_done += 1;  // 13.1: this M code counts a finished part
+  if (row.letter == 'M' && is_haas(m)) note_run_out(fanuc_of(m), row);
   note_mirror_code(m, row);
   if (row.group != fanuc_of(m).motion_group) return;
   // 19.1: a code of group 1 ends the simple turning cycle
@@ -367,7 +341,7 @@ namespace kadr::functions {
 Status drilling(Emitter& m, const Call& call) {
   KADR_TRY(fanuc::known(m, call));
   if (fanuc::moves_by_code(m)) return {};
-  if (m.def.behaviour.lathe != Lathe::none) return fanuc::turned_drilling(m, call);
+  if (m.def.behaviour.lathe == Lathe::fanuc) return fanuc::turned_drilling(m, call);
   return fanuc::Drilling(m, call).run();
 }
 

@@ -79,8 +79,9 @@ Status DrillingRun::check(const Emitter& m) const {
   const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
   // Without rotation only a tap and a dwell in revolutions would never end (8), so other cycles are not checked.
   if (!is_tap() && !(dwells && revolutions)) return {};
-  const auto code = static_cast<std::size_t>(m.def.row_of('G', job_.code));
-  return fail(alarm(AlarmId::spindle_not_turning, m.block->where, std::string_view(m.def.codes[code].code)));
+  const std::int16_t row = m.modal.rows[fanuc_of(m).drilling_group];
+  const std::string_view code = row < 0 ? std::string_view() : std::string_view(m.def.codes[static_cast<std::size_t>(row)].code);
+  return fail(alarm(AlarmId::spindle_not_turning, m.block->where, code));
 }
 
 Result<bool> DrillingRun::next(Emitter& m) {

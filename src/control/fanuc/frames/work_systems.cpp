@@ -193,8 +193,15 @@ Status machine_move(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G10.9 (5.3.1): switches axes to radius (0) or diameter (1) programming; nothing moves.
+/// G10.9 (5.3.1): switches axes to radius (0) or diameter (1) programming; nothing moves. G171 and G172 of a lathe switch X to radius or
+/// diameter programming (spec/haas-st 1).
 Status diameter_switch(Emitter& m, const Call& call) {
+  if (call.row->arg != 0) {
+    const int x = fanuc::main_axis(m, 1);
+    const std::uint32_t mask = x < 0 ? 0U : 1U << static_cast<unsigned>(x);
+    m.modal.diameter = call.row->arg == 172 ? m.modal.diameter | mask : m.modal.diameter & ~mask;
+    return {};
+  }
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   return each_axis(m, [&](std::size_t a, double, const Word& w) -> Status {
     const bool linear = (m.def.rotary >> a & 1u) == 0;

@@ -50,6 +50,8 @@ double start_angle_of(const BlockContext& m) {
   return w->has_point ? w->value : digits_of(m, 'Q') * least_degrees;
 }
 
+double run_out_leads(const BlockContext& m) { return fanuc_of(m).state.turning.cuts_through ? 0 : fanuc_of(m).settings.lathe.run_out; }
+
 Result<double> mean_lead(const BlockContext& m, double lead, const Axes& to, AxisMask named) {
   double travel = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)

@@ -14,6 +14,7 @@ class BlockContext;
 class Emitter;
 class Interpreter;
 struct Call;
+struct CodeRow;
 }  // namespace kadr
 
 namespace kadr::fanuc {
@@ -26,8 +27,18 @@ void start_turning_memory(Fanuc& fanuc);
 /// Executes T: the turret turns to the tool, and the offset takes effect (spec/fanuc-t 4.1).
 ///   alarms  turret_number; offset_number_large (PS0030)
 Status turret(Emitter& m, const Call& call);
-/// Executes G10 without L: sets the tool offsets (spec/fanuc-t 4.3). alarms table_kind_unknown (PS0031), word_missing
+/// Executes G10 without L, and that with the L of is_turret_table(): sets the tool offsets (spec/fanuc-t 4.3, spec/haas-st 3).
+///   alarms  table_kind_unknown (PS0031), word_missing
 Status set_turret_offset(Emitter& m, const Call& call);
+/// Returns true if the word L of G10 means the table of turning tools: L1, L10 and L11 on a Haas.
+bool is_turret_table(const BlockContext& m, std::uint32_t l);
+
+/// Returns true if the control is that of a Haas lathe.
+bool is_haas(const BlockContext& m);
+/// Returns true for a drilling cycle of a Haas along X: G241 to G249, G195, G196 (spec/haas-st 7.2, 7.3).
+bool drills_on_side(const CodeRow& row);
+/// Called after each executed M code of a Haas: M23 switches the run-out of threads on, M24 off (spec/haas-st 5).
+void note_run_out(Fanuc& fanuc, const CodeRow& row);
 
 /// Executes G83 to G85 on the face and G87 to G89 on the side (spec/fanuc-t 10).
 Status turned_drilling(Emitter& m, const Call& call);

@@ -1,4 +1,5 @@
-// G74, G75: pecks repeated side by side; G76: compound thread. Both in two blocks, or in one block with D (spec/fanuc-t 9.7 to 9.10).
+// G74, G75: pecks repeated side by side; G76: compound thread. Both in two blocks, or in one block with D (spec/fanuc-t 9.7 to 9.10,
+// spec/haas-st 6.6 to 6.8).
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,9 @@ constexpr double tool_angles[] = {80, 60, 55, 30, 29, 0};
 
 bool is_tool_angle(double angle) { return std::find(std::begin(tool_angles), std::end(tool_angles), angle) != std::end(tool_angles); }
 
-/// Returns true for a cycle in the format of one block (9.10). Its words D, I, K do not exist in the format of two blocks.
-bool is_one_block(const BlockContext& m) { return m.has('D') || m.has('I') || m.has('K'); }
+/// Returns true for a cycle in the format of one block (9.10). Its words D, I, K do not exist in the format of two blocks, which a Haas
+/// does not have.
+bool is_one_block(const BlockContext& m) { return is_haas(m) || m.has('D') || m.has('I') || m.has('K'); }
 
 /// The steps of a grooving cycle as the program writes them: radii and lengths in mm, with their signs.
 struct GrooveWords {
@@ -54,14 +56,30 @@ Status set_thread_data(BlockContext& m) {
   return {};
 }
 
-/// Reads the words of G76 in one block (9.10): I taper, K height, D first depth, A angle, P1 … P4 infeed.
+/// Reads what G76 of a Haas has besides: the start angle Q; the run-out of M23, and the settings of the thread (spec/haas-st 6.8).
+/// INFERRED: without a finishing allowance the last pass at full depth is not repeated.
+void take_haas_thread(const BlockContext& m, ThreadJob& job) {
+  job.angle = start_angle_of(m);
+  job.data.chamfer = run_out_leads(m);
+  job.data.finishing = job.data.allowance > 0 ? 1 : 0;
+  job.data.least = std::min(job.data.least, job.height);
+}
+
+/// Returns true if the tool may have this angle: one of a list, on a Haas any up to 120 degrees (spec/haas-st 6.8).
+bool is_possible_angle(const BlockContext& m, double angle) {
+  constexpr double most_on_haas = 120;
+  return is_haas(m) ? angle >= 0 && angle <= most_on_haas : is_tool_angle(angle);
+}
+
+/// Reads the words of G76 in one block (9.10, spec/haas-st 6.8): I taper, K height, D first depth, A angle, P1 … P4 infeed.
 Status one_block_thread(const BlockContext& m, ThreadJob& job) {
   job.taper = m.length_value('I');
   job.height = m.length_value('K');
   job.first = step_of(m, 'D');
   const Word* const a = m.word('A');
   if (a != nullptr) job.data.tool_angle = a->has_point ? a->value : digits_of(m, 'A');
-  if (!is_tool_angle(job.data.tool_angle)) return fail(alarm(AlarmId::thread_angle, m.where('A'), job.data.tool_angle));
+  if (!is_possible_angle(m, job.data.tool_angle)) return fail(alarm(AlarmId::thread_angle, m.where('A'), job.data.tool_angle));
+  if (is_haas(m)) take_haas_thread(m, job);
   if (!m.has('P')) return {};
   const auto infeed = m.whole('P', 1, 4);
   if (!infeed) return fail(infeed.error());
@@ -117,7 +135,7 @@ Status lathe_groove(Emitter& m, const Call& call) {
 }
 
 Status lathe_thread(Emitter& m, const Call& call) {
-  if (!m.has_axis_words()) return set_thread_data(m);
+  if (!m.has_axis_words() && !is_haas(m)) return set_thread_data(m);
   ThreadJob job;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());

@@ -1,4 +1,4 @@
-// G70, G71, G72 and G73 of Fanuc's lathes: their words in both formats, and the cycles that execute the passes (spec/fanuc-t 9).
+// G70, G71, G72 and G73 of lathes: their words in both formats, and the cycles that execute the passes (spec/fanuc-t 9, spec/haas-st 6).
 
 #include <cmath>
 #include <memory>
@@ -55,7 +55,14 @@ Vec2 allowance(const BlockContext& m) {
   return {m.length_value('W'), m.length_value('U') / (diameter ? 2 : 1)};
 }
 
-bool is_cycle_block(const BlockContext& m) { return m.has('P') || m.has('Q') || m.has('D'); }
+/// Returns the rough allowance (K, I) of a Haas, which the levels leave besides δ (spec/haas-st 6.2).
+Vec2 rough_allowance(const BlockContext& m) { return is_haas(m) ? Vec2{m.length_value('K'), m.length_value('I')} : Vec2{}; }
+
+/// Returns true if R1 makes the cycle one of type II, which it does on a Haas with setting 33 YASNAC (spec/haas-st 6.2).
+bool asks_for_pockets(const BlockContext& m) { return fanuc_of(m).settings.lathe.is_yasnac && m.has('R') && digits_of(m, 'R') == 1; }
+
+/// Returns true for the block that executes the cycle. A Haas has no other (spec/haas-st 6).
+bool is_cycle_block(const BlockContext& m) { return is_haas(m) || m.has('P') || m.has('Q') || m.has('D'); }
 
 Status words_missing(const Call& call) { return fail(alarm(AlarmId::figure_words, call.where)); }
 
@@ -121,8 +128,11 @@ Status rough_cycle(Interpreter& m, const Call& call) {
   const AxisMask both = 1u << m.modal.axes.first | 1u << m.modal.axes.second;
   RoughFigure::Settings shape;
   shape.facing = call.row->arg == 72.7_g;
-  shape.pockets = (contour->first_named & both) == both;  // 9.3
-  shape.allowance = allowance(m);
+  shape.pockets = (contour->first_named & both) == both || asks_for_pockets(m);  // 9.3
+  const Vec2 rough = rough_allowance(m);
+  shape.allowance = allowance(m) + rough;
+  shape.levels_from_start = is_haas(m);
+  if (rough != Vec2{}) plan.further = -1.0 * rough;
   shape.reversal_permitted = settings.reversal;
   RoughFigure figure(contour->pieces, shape);
   KADR_TRY(figure_fault(figure.fault(), figure.fault_block(), call));
@@ -160,6 +170,8 @@ Status pattern_cycle(Interpreter& m, const Call& call) {
 
 /// The cycles are executed in the plane, in which the program's coordinates are those of the machine.
 Status in_plane(const BlockContext& m, const Call& call) {
+  // spec/haas-st 6.2: G18 must be in force
+  if (is_haas(m) && m.modal.plane != Plane::zx) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   return {};
 }

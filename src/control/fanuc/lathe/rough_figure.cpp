@@ -23,6 +23,7 @@ RoughFigure::RoughFigure(const std::vector<ContourPiece>& contour, const Setting
   const ContourPiece& first = contour.front();
   start_ = first.from;
   origin_ = start_ + settings.allowance;
+  if (settings.levels_from_start) (facing_ ? origin_.x : origin_.y) = facing_ ? start_.x : start_.y;
   for (std::size_t i = 1; i < contour.size(); ++i) {
     ContourPiece piece = contour[i];
     piece.from = piece.from + settings.allowance;
@@ -62,6 +63,8 @@ FigureFault RoughFigure::check(const Settings& settings) {
   const FigureFault y_fault = facing_ ? FigureFault::first_axis : FigureFault::second_axis;
   Vec2 permitted = settings.reversal_permitted;
   if (facing_) std::swap(permitted.x, permitted.y);
+  const double shifted_start = in_figure(start_ + settings.allowance).y;
+  const std::uint32_t last_block = sections_.back().block;
   double farthest = begin().point.x, least = begin().point.y;
   std::uint32_t least_deep = sections_.front().block;
   for (const ContourPiece& section : sections_) {
@@ -69,10 +72,11 @@ FigureFault RoughFigure::check(const Settings& settings) {
     if (farthest - section.to.x > permitted.x + tol::level) return x_fault;
     if (!pockets_ && section.to.y - least > permitted.y + tol::level) return y_fault;
     farthest = std::max(farthest, section.to.x);
+    if (settings.levels_from_start && pockets_ && section.block == last_block) continue;
     if (section.to.y < least) least = section.to.y, least_deep = section.block;
   }
   fault_block_ = least_deep;
-  return least < -tol::level ? FigureFault::over_start : FigureFault::none;
+  return least < shifted_start - tol::level ? FigureFault::over_start : FigureFault::none;
 }
 
 Vec2 RoughFigure::in_figure(Vec2 point) const {

@@ -42,7 +42,8 @@ struct Stretch {
 };
 
 /// The figure from A' on, shifted by the finishing allowance. In figure coordinates the point S+δ, where the cycle's start point S comes to
-/// lie by this shift, is the origin; x grows along the passes towards the end of the figure, and y into the material.
+/// lie by this shift, is the origin (with `levels_from_start` its depth is that of S); x grows along the passes towards the end of the
+/// figure, and y into the material.
 class RoughFigure {
  public:
   struct Settings {
@@ -50,6 +51,8 @@ class RoughFigure {
     bool pockets = false;     // type II: only the axis along the passes must not reverse
     Vec2 allowance;           // δ = (Δw, Δu/2), mm in the plane
     Vec2 reversal_permitted;  // parameters 5145 and 5146: by how many mm the first and the second axis may reverse
+    // the levels count from S, not from S+δ, and with pockets the last block may lead beyond S (spec/haas-st 6.2, 6.3)
+    bool levels_from_start = false;
   };
   ///   contour  lines and arcs of the figure in the plane, mm, without allowance; the first one leads from S to A'. Not empty
   RoughFigure(const std::vector<ContourPiece>& contour, const Settings& settings);
@@ -60,6 +63,7 @@ class RoughFigure {
 
   /// Returns a point, line or arc in figure coordinates as one of the plane, in programmed coordinates.
   Vec2 in_plane(Vec2 point) const;
+  Vec2 in_figure(Vec2 point) const;
   ContourPiece in_plane(ContourPiece piece) const;
   Vec2 start() const { return start_; }                                // S in the plane, without allowance
   Vec2 start_in_figure() const { return in_figure(start_); }           // S in figure coordinates: −δ in the directions of the axes
@@ -85,7 +89,6 @@ class RoughFigure {
   FigurePlace after_section(const FigurePlace& from, const FigurePlace& to) const;
 
  private:
-  Vec2 in_figure(Vec2 point) const;
   ContourPiece in_figure(ContourPiece piece) const;
   void choose_directions(Vec2 first);
   FigureFault check(const Settings& settings);

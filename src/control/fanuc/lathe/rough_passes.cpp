@@ -11,6 +11,13 @@
 namespace kadr::fanuc {
 namespace {
 
+ContourPiece displaced(ContourPiece piece, Vec2 by) {
+  piece.from = piece.from + by;
+  piece.to = piece.to + by;
+  piece.center = piece.center + by;
+  return piece;
+}
+
 bool has_no_length(const ContourPiece& piece) { return piece.from == piece.to && piece.turns < 0.5; }
 
 }  // namespace
@@ -50,7 +57,7 @@ std::optional<RoughStep> RoughPasses::execute(Order& order) {
       finished = !order.from.before(order.until);
       break;
     case Path::whole_figure:
-      step.motion = figure_.pieces()[piece_++];
+      step.motion = displaced(figure_.pieces()[piece_++], shift_);
       finished = piece_ == figure_.pieces().size();
       break;
   }
@@ -84,6 +91,10 @@ void RoughPasses::order_more() {
       return;
     case Stage::along_figure:
       order_along_figure();
+      stage_ = plan_.further ? Stage::further : Stage::home;
+      return;
+    case Stage::further:
+      order_further();
       stage_ = Stage::home;
       return;
     default:
@@ -205,11 +216,23 @@ void RoughPasses::order_along_figure() {
   planned_ = figure_.end().point;
 }
 
+/// Orders the pass that takes off the rough allowance. INFERRED: it begins at S, from which the tool goes to A' as in the other passes.
+void RoughPasses::order_further() {
+  order_home();
+  piece_ = 0;
+  shift_ = *plan_.further;
+  const auto shifted = [&](const FigurePlace& place) { return figure_.in_figure(figure_.in_plane(place.point) + shift_); };
+  line(figure_.infeed(), shifted(figure_.begin()));
+  orders_[ordered_++] = {Path::whole_figure, MotionKind::feed, shifted(figure_.end()), {}, {}, false};
+  planned_ = shifted(figure_.end());
+}
+
 /// Orders the motion back to S. If a ridge of the figure is higher than its end, or the figure ends before S, the straight way would lead
 /// through stock: the tool first moves out to the depth of S+δ.
 void RoughPasses::order_home() {
   if (plan_.along_figure) {
-    const double ridge = figure_.ridge(figure_.begin(), figure_.end()).point.y;
+    const Vec2 ridge_point = figure_.in_plane(figure_.ridge(figure_.begin(), figure_.end()).point) + shift_;
+    const double ridge = figure_.in_figure(ridge_point).y;
     if (ridge < planned_.y - tol::level || planned_.x < figure_.start_in_figure().x) rise_to(0);
   }
   orders_[ordered_++] = {Path::home, MotionKind::rapid, {}, {}, {}, true};

@@ -32,6 +32,8 @@ class RoughPasses {
     double back = 0;           // e: escape after a cut, mm
     double clearance = 0;      // 5134: distance in mm before a pocket at which the rapid ends; 0: the escape is this distance
     bool along_figure = true;  // the last pass follows the figure (false: RF1 or RF2 of 5105)
+    // displacement in the plane of a further pass along the figure, which takes off a rough allowance (spec/haas-st 6.2); nullopt: none
+    std::optional<Vec2> further;
   };
   ///   figure  a figure without a fault
   RoughPasses(RoughFigure figure, const Plan& plan);
@@ -40,7 +42,7 @@ class RoughPasses {
   std::optional<RoughStep> next();
 
  private:
-  enum class Stage : std::uint8_t { to_shifted_start, levels, along_figure, home, done };
+  enum class Stage : std::uint8_t { to_shifted_start, levels, along_figure, further, home, done };
   enum class Path : std::uint8_t { line, follow, whole_figure, home };
   /// A part of a pass: a line, motions along the figure, or the line to S. Points are in figure coordinates.
   struct Order {
@@ -62,6 +64,7 @@ class RoughPasses {
   void order_infeed();
   void order_entry_into_pocket();
   void order_along_figure();
+  void order_further();
   void order_home();
   void rise_to(double depth);
   double clear_depth(const FigurePlace& place) const;
@@ -75,6 +78,7 @@ class RoughPasses {
   std::array<Order, 8> orders_{};
   std::size_t ordered_ = 0, done_ = 0;
   std::size_t piece_ = 0;  // the next piece of the pass along the figure
+  Vec2 shift_;             // displacement of this pass in the plane
   Vec2 at_;                // the tool in the plane after the last motion returned
   Vec2 planned_;           // the tool in figure coordinates after the last order
 

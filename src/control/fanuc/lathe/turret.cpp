@@ -1,4 +1,5 @@
-// T of lathes: the turret turns to the tool, geometry and wear take effect; G10 sets the table of turning tools (spec/fanuc-t 4).
+// T of lathes: the turret turns to the tool, geometry and wear take effect; G10 sets the table of turning tools (spec/fanuc-t 4,
+// spec/haas-st 3).
 
 #include <array>
 
@@ -11,6 +12,7 @@
 namespace kadr::fanuc {
 namespace {
 
+constexpr std::uint32_t haas_geometry = 10;      // L of G10 for the geometry on a Haas (spec/haas-st 3)
 constexpr std::uint32_t geometry_from = 10'000;  // P10000 + n of G10 is the geometry of offset n, P n its wear
 
 /// The lengths of an offset along the axes of the channel, mm; X as a radius.
@@ -23,8 +25,11 @@ struct TurretCall {
   std::uint32_t tool = 0, offset = 0;
 };
 
-/// Returns the parts of a T word: T0101 and T101 are tool 1 with offset 1; with 5002#0 the last digit alone is the offset.
+/// Returns the parts of a T word: T0101 and T101 are tool 1 with offset 1; with 5002#0 the last digit alone is the offset. INFERRED: T1 of
+/// a Haas is tool 1 without an offset (spec/haas-st 3, U).
 TurretCall parts_of(const LatheSettings& s, std::uint32_t number) {
+  constexpr std::uint32_t two_digits = 100;
+  if (s.is_haas && number < two_digits) return {number, 0};
   const std::uint32_t offsets = s.offset_one_digit ? 10 : 100;
   return {number / offsets, number % offsets};
 }
@@ -118,16 +123,45 @@ Status turret(Emitter& m, const Call& call) {
   return put_in_force(m, lengths_of(m, t));
 }
 
-Status set_turret_offset(Emitter& m, const Call& call) {
-  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+namespace {
+
+/// A row of the table of turning tools, and which of its halves G10 sets. Row 0 stands for the shift of the work system.
+struct OffsetPlace {
+  std::uint32_t number = 0;
+  bool geometry = false;
+};
+
+/// Returns the place that G10 sets. On a Fanuc P alone says it; on a Haas L10 is the geometry, L1 and L11 the wear, and P the number.
+Result<OffsetPlace> offset_place(const BlockContext& m) {
+  OffsetPlace place;
+  if (m.has('L')) {
+    const auto number = m.whole('P', 1, max_offsets(m));
+    if (!number) return fail(number.error());
+    return OffsetPlace{*number, m.value('L') == haas_geometry};
+  }
   const auto p = m.whole('P', 0, geometry_from + m.def.behaviour.offsets);
   if (!p) return fail(alarm(AlarmId::table_kind_unknown, m.where('P'), m.value('P')));
-  macro_b_of(m).endless.note_change();
-  if (*p == 0) return set_work_shift(m, call);
-  const bool geometry = *p > geometry_from;
-  const std::uint32_t number = geometry ? *p - geometry_from : *p;
-  if (*p == geometry_from || number > max_offsets(m) || number >= m.tables.offsets.size())
+  place.geometry = *p > geometry_from;
+  place.number = place.geometry ? *p - geometry_from : *p;
+  if (*p == geometry_from || place.number > max_offsets(m) || place.number >= m.tables.offsets.size())
     return fail(alarm(AlarmId::table_kind_unknown, m.where('P'), double(*p)));
+  return place;
+}
+
+}  // namespace
+
+bool is_turret_table(const BlockContext& m, std::uint32_t l) {
+  constexpr std::uint32_t haas_wear[] = {1, 11};
+  return is_haas(m) && (l == haas_geometry || l == haas_wear[0] || l == haas_wear[1]);
+}
+
+Status set_turret_offset(Emitter& m, const Call& call) {
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+  const auto place = offset_place(m);
+  if (!place) return fail(place.error());
+  macro_b_of(m).endless.note_change();
+  if (place->number == 0) return set_work_shift(m, call);
+  const auto [number, geometry] = *place;
   const auto q = m.has('Q') ? m.whole('Q', 0, 9) : Result<std::uint32_t>(0);
   if (!q) return fail(q.error());
   ToolOffset& row = m.tables.offsets[number];
@@ -145,7 +179,7 @@ Status set_turret_offset(Emitter& m, const Call& call) {
     double& to = *lengths[static_cast<std::size_t>(role - 1)];
     to = is_increment(m, w) ? to + value : value;
   }
-  if (m.has('R')) (geometry ? row.radius : row.radius_wear) = m.length_value('R');
+  if (m.has('R')) (geometry ? row.radius : row.radius_wear) = m.length_value('R') * (fanuc_of(m).settings.offsets_are_diameters ? 0.5 : 1);
   if (m.has('Q')) row.tip_position = *q;
   fanuc_of(m).changed_offsets.push_back(number);
   return {};

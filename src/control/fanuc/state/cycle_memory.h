@@ -48,6 +48,7 @@ struct TurningMemory {
   double tool_angle = 0;  // angle of the threading tool, degrees
   double least = 0;       // least increase of depth from one thread pass to the next
   double allowance = 0;   // depth of the thread that is left for the finishing passes
+  bool cuts_through = false;  // M24 of a Haas is in force: threads have no run-out (spec/haas-st 5)
   RepetitiveMemory repetitive;
   // simple turning cycles
   std::int32_t code = 0;  // code in tenths of the simple turning cycle in force: 777 (G77.7), 787 or 797; 0 if no such cycle is in force

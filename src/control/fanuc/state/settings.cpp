@@ -76,6 +76,21 @@ void read_lathe(Settings& s, const ParameterSource& p, const std::vector<std::st
   if (const double angle = p.value("run_out_angle", 0); angle > 0) l.run_out_angle = angle;
 }
 
+/// Sets what the control of a Haas lathe decides without parameters, and reads its settings (spec/haas-st 1, 3, 5, 7.2, 11).
+void read_haas_lathe(Settings& s, const ParameterSource& p, const std::vector<std::string>& names) {
+  LatheSettings& l = s.lathe;
+  l.is_haas = true;
+  for (std::size_t a = 0; a < names.size() && a < max_axes; ++a) s.axes[a].diameter = names[a].starts_with('X');
+  s.approach = CompensationApproach::square;  // spec/haas-st 8
+  l.wear_shifts = true;  // an offset takes effect with the next motion, and causes no motion of its own (spec/haas-st 3)
+  l.is_yasnac = macro_b::whole_parameter(p.value("coordinates_of", 0)) == 2;
+  l.inch_at_start = p.value("inch_at_start", 0) != 0;
+  l.run_out = p.value("run_out_leads", 0);
+  const double times = p.value("tap_back_times", 0);
+  s.tap_override = times > 0;
+  s.tap_extraction = 100 * times;
+}
+
 /// Reads the settings that only Fanuc and Haas have.
 void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
   s.drills_across = p.value("drills_across", 0) != 0;
@@ -235,15 +250,16 @@ void read_five_axis(Settings& s, const ParameterSource& p, const std::array<std:
 }  // namespace
 
 Settings read_settings(const ParameterSource& source, const std::vector<std::string>& axis_names,
-                       const std::array<std::uint8_t, max_axes>& axis_numbers, bool is_lathe) {
+                       const std::array<std::uint8_t, max_axes>& axis_numbers, Lathe lathe) {
   Settings s;
   read_axes(s, source, axis_names, axis_numbers);
-  if (is_lathe) read_lathe(s, source, axis_names);
+  if (lathe != Lathe::none) read_lathe(s, source, axis_names);
   read_spindles(s, source);
   read_interpretation(s, source);
   read_machine(s, source);
   read_cycles(s, source);
   read_five_axis(s, source, axis_numbers, std::min(axis_names.size(), max_axes));
+  if (lathe == Lathe::haas) read_haas_lathe(s, source, axis_names);
   return s;
 }
 

@@ -11,6 +11,7 @@
 
 #include "action/action.h"
 #include "base/vec.h"
+#include "config/control/code_system.h"
 #include "control/macro_b/variables/settings.h"
 #include "kinematics/five_axis.h"
 
@@ -42,9 +43,12 @@ struct SpindleSettings {
   int closing_code = 0;                 // N0823: M code that closes the position loop of the spindle
 };
 
-/// The settings of a lathe (spec/fanuc-t 13). Lengths are in mm; those along X are radii.
+/// The settings of a lathe (spec/fanuc-t 13, spec/haas-st 11). Lengths are in mm; those along X are radii.
 struct LatheSettings {
   bool is_lathe = false;
+  bool is_haas = false;            // the lathe has a control of Haas, whose words and cycles differ (spec/haas-st)
+  bool is_yasnac = false;          // Haas setting 33 is 2: R1 of G71 and G72 means pockets (spec/haas-st 6.2)
+  bool inch_at_start = false;      // Haas setting 9: G20 is in force at power-on
   bool offset_one_digit = false;   // 5002#0 LD1: the last digit alone of T is the offset number
   bool geometry_by_tool = false;   // 5002#1 LGN: the geometry offset has the number of the tool, not of the offset
   bool wear_shifts = false;        // 5002#2 LWT: the wear shifts the work system; false: the axes move by it
@@ -165,8 +169,8 @@ struct Settings {
 };
 
 /// Reads all settings. `axis_numbers`: numbers of the channel's axes; the numbering includes the axes of all channels. `axis_names` (X, Y,
-/// Z, …) determine the role of an axis for which N0103 gives none. `is_lathe`: the control reads lathe programs (spec/fanuc-t).
+/// Z, …) determine the role of an axis for which N0103 gives none. `lathe`: the manner in which the control reads lathe programs.
 Settings read_settings(const macro_b::ParameterSource& source, const std::vector<std::string>& axis_names,
-                       const std::array<std::uint8_t, max_axes>& axis_numbers, bool is_lathe);
+                       const std::array<std::uint8_t, max_axes>& axis_numbers, Lathe lathe);
 
 }  // namespace kadr::fanuc

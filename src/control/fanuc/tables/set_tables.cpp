@@ -120,7 +120,7 @@ Status open_data(BlockContext& m, const Call& call, std::uint32_t l) {
 Status set_work_shift(Emitter& m, const Call& call) { return set_zero(m, call, 0, true); }
 
 Status set_tables(Emitter& m, const Call& call) {
-  if (!m.has('L') && m.def.behaviour.lathe != Lathe::none) return set_turret_offset(m, call);
+  if (!m.has('L') && m.def.behaviour.lathe == Lathe::fanuc) return set_turret_offset(m, call);
   if (!m.has('L')) return fail(alarm(AlarmId::word_missing, call.where, 'L', call.row->code));
   macro_b_of(m).endless.note_change();
   const auto l = m.whole('L', 1, 999);
@@ -129,8 +129,10 @@ Status set_tables(Emitter& m, const Call& call) {
   const bool of_turning = *l >= 200 && *l <= 203;
   if (of_turning && !fanuc_of(m).settings.turning_offsets) return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
   if (*l == 200 || *l == 201) return set_turning_offset(m, call, *l == 200);
+  if (is_turret_table(m, *l)) return set_turret_offset(m, call);
   ToolOffset unused;
-  if (offset_register(unused, *l) != nullptr) return set_offset(m, call, *l);
+  const bool mill = m.def.behaviour.lathe == Lathe::none;
+  if (mill && offset_register(unused, *l) != nullptr) return set_offset(m, call, *l);
   if (*l != 2 && *l != 20 && *l != 21) return fail(alarm(AlarmId::table_kind_unknown, m.where('L'), double(*l)));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto p = *l == 2    ? m.whole('P', 0, basic_systems)

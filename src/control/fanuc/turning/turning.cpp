@@ -154,6 +154,12 @@ Status possible(const BlockContext& m, const Call& call) {
   return {};
 }
 
+/// Returns the letter of the taper of a simple cycle: R, on a Haas I, and K in G94 (spec/haas-st 5).
+char taper_letter(const BlockContext& m, const Call& call) {
+  if (!is_haas(m)) return 'R';
+  return call.row->arg == 79.7_g ? 'K' : 'I';
+}
+
 /// Reads the words of a simple cycle. If a word is missing, its value from an earlier block remains.
 Status take_simple(BlockContext& m, const Call& call) {
   TurningMemory& memory = fanuc_of(m).state.turning;
@@ -166,7 +172,8 @@ Status take_simple(BlockContext& m, const Call& call) {
     }
     if (!memory.known[i]) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, i), call.row->code));
   }
-  if (m.has('R')) memory.taper = m.length_value('R');
+  const char taper = taper_letter(m, call);
+  if (m.has(taper)) memory.taper = m.length_value(taper);
   const bool lathe = m.def.behaviour.lathe != Lathe::none;
   if (lathe) memory.start_angle = start_angle_of(m);  // Q acts in its block only (spec/fanuc-t 8.4)
   else if (m.has('Q')) memory.start_angle = m.value('Q');
@@ -215,9 +222,8 @@ Status simple_thread(Emitter& m, const Call& call) {
   if (!lead) return fail(lead.error());
   suspend_side(m);
   const Vec2 s = plane_point(m), t{memory.target[0], memory.target[1]};
-  const LatheSettings& lathe = fanuc_of(m).settings.lathe;
-  const SinCos out = sincos_deg(lathe.run_out_angle);
-  return thread_pass(m, {{s.x, t.y + memory.taper}, t, s, *lead, memory.start_angle, lathe.run_out * *lead, out.sin / out.cos});
+  const SinCos out = sincos_deg(fanuc_of(m).settings.lathe.run_out_angle);
+  return thread_pass(m, {{s.x, t.y + memory.taper}, t, s, *lead, memory.start_angle, run_out_leads(m) * *lead, out.sin / out.cos});
 }
 
 /// G70.7: executes the blocks of the contour as they are programmed (19.A 6).

@@ -62,6 +62,7 @@ struct ThreadJob {
   double lead = 0;     // thread lead, mm
   double chamfer = 0;  // length of the run-out, mm
   double rise = 1;     // tangent of the run-out's angle
+  double angle = 0;    // spindle angle at the start of each pass, degrees
   bool zigzag = false;  // every second pass is moved to the other side, so that the flanks cut in turn
   bool even = false;    // the depth of pass n is first·n
   TurningMemory data;

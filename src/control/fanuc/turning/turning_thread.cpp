@@ -36,12 +36,12 @@ class ThreadRun final : public SteppedCycleValue<ThreadRun> {
   explicit ThreadRun(const ThreadJob& job) : job_(job) {}
 
   Result<bool> next(Emitter& m) override {
-    if (finishing_ == job_.data.finishing) return false;
     const double rough = job_.height - job_.data.allowance;
     if (depth_ < rough - tol::level) {
       ++pass_;
       depth_ = std::min(rough, std::max(job_.first * (job_.even ? pass_ : std::sqrt(pass_)), depth_ + job_.data.least));
     } else {
+      if (finishing_ == job_.data.finishing) return false;
       depth_ = job_.height;
       ++finishing_;
     }
@@ -65,7 +65,7 @@ class ThreadRun final : public SteppedCycleValue<ThreadRun> {
     const double shift = (turned ? 1 : -1) * depth_ * half.sin / half.cos;
     const double thread_length = std::fabs(s.x - t.x);
     const double taper = job_.taper * (thread_length + shift) / thread_length;
-    return {{s.x + back * shift, level + taper}, {t.x, level}, s, job_.lead, 0, job_.chamfer, job_.rise};
+    return {{s.x + back * shift, level + taper}, {t.x, level}, s, job_.lead, job_.angle, job_.chamfer, job_.rise};
   }
 
   ThreadJob job_;
