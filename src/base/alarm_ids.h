@@ -110,7 +110,7 @@
   X(contour_empty) X(contour_too_large) X(contour_reach) X(contour_open_end)                 \
   X(contour_branch) X(contour_crosses) X(mill_value) X(mill_hole)         \
   X(tool_does_not_fit) X(mill_stepover) X(mill_too_long) X(mill_wall) X(mill_rapid) X(mill_uncut)          \
-  X(mill_read_back) X(word_has_no_room) X(word_below_format) X(function_has_no_code) X(conversion_too_long) X(conversion_takes_long) X(conversion_of_lathe) X(conversion_unstated) X(result_too_large) X(program_number_zero) \
+  X(mill_read_back) X(word_has_no_room) X(word_below_format) X(function_has_no_code) X(conversion_too_long) X(conversion_takes_long) X(conversion_unstated) X(result_too_large) X(program_number_zero) \
   /* alarms of the least-time planner and its samples (docs/planner.md) */                   \
   X(plan_unsolved) X(plan_tolerance) X(plan_endless) X(samples_too_long) \
   /* warnings of probable mistakes in a program, and notes */                                \

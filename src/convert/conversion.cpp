@@ -54,8 +54,8 @@ class Writing {
       outlets.step = [this](const Step& step) { take(step.action); };
     }
     note(flat.begin(session_->stand(), control.placement()));
-    while (!made_.cannot_express && session_->go_on() == Session::State::running) {
-    }
+    while (!made_.cannot_express && session_->go_on() == Session::State::running)
+      if (is_lathe(*spec_.to)) note(flat.note_offsets(offsets_of(control, session_->def())));
     if (!made_.cannot_express) note(flat.finish());
     made_.counts_from = flat.counts_from();
     for (const std::string& comment : comments_.rest())
@@ -209,6 +209,7 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   if (const auto fault = MachineCodes(opened->def(), *spec.to).fault()) return tl::unexpected(sentence_of(*fault));
   const ProgramShape shape(spec.source_text, opened->def(), spec.stop);
   const CodeMatch match(opened->def(), *spec.to);
+  all.wear_is_zero = turns(opened->def(), *spec.to) && !wears_alike(opened->def(), *spec.to);
   const PathModes there = path_modes_of(*spec.to);
   for (const std::size_t row : shape.path_modes()) {
     const CodeRow& code = opened->def().codes[row];
@@ -235,7 +236,7 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
     if (spec.only && as != *spec.only) continue;
     if (as == ConvertedAs::words && is_lathe(opened->def()) != is_lathe(*spec.to)) {
       ConversionTry& one = all.tries.emplace_back();
-      one.as = as, one.cannot_express = alarm(AlarmId::conversion_of_lathe, {});
+      one.as = as, one.cannot_express = alarm(AlarmId::function_has_no_code, {}, "T0101");
       continue;
     }
     auto one = one_try(spec, as, shape, proving);

@@ -40,7 +40,7 @@ class Filler {
  public:
   Filler(const Setup& given, const ControlDef& def, const ControlDef& to, const std::vector<std::string>& axes, const ProgramNames& names,
          std::uint32_t seed)
-      : def_(def), known_(&def, axes, axes), names_(names), turns_(turns(def, to)), wears_(is_lathe(def) && is_lathe(to)), values_(seed) {
+      : def_(def), known_(&def, axes, axes), names_(names), turns_(turns(def, to)), wears_(wears_alike(def, to)), values_(seed) {
     state_.setup = given;
     for (const std::string& axis : axes)
       if (axis == "X" || axis == "Y" || axis == "Z") axes_.push_back(axis);
@@ -91,8 +91,7 @@ class Filler {
     }
   }
 
-  /// Fills in what only turning tools have. A wear moves a lathe's axes when the T word takes it (spec/fanuc-t 4.1); other controls have
-  /// one length only, so between such controls the wear stays as the set-up states it.
+  /// Fills in what only turning tools have. The wear stays as the set-up states it unless both controls put it into force in the same way.
   void fill_turning(ToolOffset& offset) {
     offset.length_x = -values_.length();
     offset.tip_position = values_.tip();
@@ -113,7 +112,7 @@ class Filler {
   const SetupNamesOf known_;
   const ProgramNames& names_;
   std::vector<std::string> axes_;
-  // turns_: one of the two controls is that of a lathe; wears_: both are
+  // turns_: one of the two controls is that of a lathe; wears_: both put the wear of a tool into force in the same way
   const bool turns_, wears_;
   Values values_;
   OpenState state_;

@@ -39,14 +39,21 @@ double mirrored_tip(double tip) {
   return tip >= 0 && tip < double(numbers.size()) ? numbers[static_cast<std::size_t>(tip)] : tip;
 }
 
+/// N1416 #2 TOL of the NCT: the offset table has the lengths of turning tools (nct 15.4).
+ParameterKey turning_table_bit() { return {"1416", "", "2"}; }
+
 /// Returns the row of the target control's offset table that moves the machine like this row of the source control. A lathe has geometry
-/// and wear of each axis; the other controls have one value, their sum.
-ToolOffset offset_there(const ToolOffset& offset, const ControlDef& from, const ControlDef& to) {
+/// and wear of each axis; the other controls have one value, their sum. The NCT states the length along a diameter axis as a diameter (nct
+/// 5.3).
+ToolOffset offset_there(const ToolOffset& offset, const Setup& setup, const ControlDef& from, const ControlDef& to) {
   if (is_lathe(from) == is_lathe(to)) return offset;
   ToolOffset sum;
   sum.length = offset.whole_length(), sum.radius = offset.whole_radius();
   sum.length_x = offset.length_x + offset.length_x_wear, sum.length_y = offset.length_y + offset.length_y_wear;
   const bool mirrors = from.has_parameter_file() != to.has_parameter_file();
+  const auto x = setup.diameter.find("X");
+  if (turning_length_code(to) != nullptr) sum.length_x *= 2;
+  if (turning_length_code(from) != nullptr && x != setup.diameter.end() && x->second) sum.length_x /= 2;
   sum.tip_position = mirrors ? mirrored_tip(offset.tip_position) : offset.tip_position;
   return sum;
 }
@@ -96,7 +103,7 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
   const SetupNamesOf known(&to, to.axes, to.axes);
   for (const auto& [number, offset] : setup.offsets)
     if (allows_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number)))
-      made.offsets[number] = offset_there(offset, from, to);
+      made.offsets[number] = offset_there(offset, setup, from, to);
   // M6 and G43 look the tool up in a tool table, so each offset needs a row there (spec/linuxcnc 5)
   if (to.has_parameter_file() && !made.offsets.empty())
     for (const std::uint32_t tool : names.tools)
@@ -122,6 +129,15 @@ bool is_lathe(const ControlDef& def) { return def.behaviour.lathe != Lathe::none
 
 bool turns(const ControlDef& from, const ControlDef& to) { return is_lathe(from) || is_lathe(to); }
 
+const CodeRow* turning_length_code(const ControlDef& def) {
+  constexpr int turning = 437;
+  const bool has_table = std::any_of(def.parameters.begin(), def.parameters.end(),
+                                     [](const ParameterRow& row) { return row.name == turning_table_bit().name; });
+  return is_lathe(def) || !has_table ? nullptr : row_that_does(def, {{Function::length_comp, turning}});
+}
+
+bool wears_alike(const ControlDef& from, const ControlDef& to) { return is_lathe(to) && from.behaviour.lathe == to.behaviour.lathe; }
+
 bool allows_key(const ControlDef& def, const char* key) {
   const nlohmann::json table = {{key, nlohmann::json::object()}};
   return !fault_of(table, table, &def);
@@ -135,7 +151,7 @@ OffsetsInForce offsets_of(const Control& control, const ControlDef& def) {
   for (const std::string& word : control.state_now().modal) {
     if (word.front() == 'D') now.radius_number = number_in(word);
     if (word.front() == 'H') now.length_number = number_in(word);
-    if (word == "G43" || word == "G44") now.length_sign = word == "G43" ? 1 : -1;
+    if (word == "G43" || word == "G44" || word == "G43.7") now.length_sign = word == "G44" ? -1 : 1;
   }
   if (now.length_number == 0) now.length_number = now.radius_number;
   if (is_lathe(def)) now.length_sign = now.length_number != 0 ? 1 : 0;  // the T word puts the offset into force
@@ -146,7 +162,9 @@ FlatSource flat_source_of(const Session& session, const ControlDef& to) {
   FlatSource source{session.control().axes(), {}, has_systems(session.def()), shows_same_messages(session.def(), to)};
   source.systems = system_names(to);
   source.turns = turns(session.def(), to);
-  source.diameters = is_lathe(to) || (is_lathe(session.def()) && row_that_does(to, {{Function::diameter_mode, 1}}) != nullptr);
+  source.turning_length = is_lathe(session.def()) ? turning_length_code(to) : nullptr;
+  const bool has_diameters = row_that_does(to, {{Function::diameter_mode, 1}}) != nullptr || turning_length_code(to) != nullptr;
+  source.diameters = is_lathe(to) || (is_lathe(session.def()) && has_diameters);
   const MachineCodes codes(session.def(), to);
   for (const auto& [here, there] : codes.pairs()) {
     source.machine_codes[here] = there;
@@ -162,9 +180,9 @@ FlatSource flat_source_of(const Session& session, const ControlDef& to) {
 }
 
 bool changes_tools(const ControlDef& def) {
-  return row_that_does(
-             def, {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}) !=
-         nullptr;
+  return is_lathe(def) || row_that_does(def, {{Function::change_tool, any_argument},
+                                              {Function::exchange_tool, any_argument},
+                                              {Function::load_tool, any_argument}}) != nullptr;
 }
 
 bool probe_elsewhere(Setup& setup) {
@@ -195,6 +213,11 @@ bool reports_optional_stops(const ControlDef& def) {
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain) {
   Setup made;
   made.axes = axes_for(setup, from, to, names);
+  if (is_lathe(from) && turning_length_code(to) != nullptr) {
+    if (made.axes.empty()) made.axes = {"X", "Z"};
+    made.diameter["X"] = true;
+    made.parameters[turning_table_bit()] = 1.0;
+  }
   const KnownAxes axes(to, made.axes);
   made.start = axes.of(setup.start), made.start_in_work = setup.start_in_work;
   for (const auto& [axis, limits] : setup.machine)
@@ -262,6 +285,7 @@ std::string setup_text(const Setup& setup) {
     all["variables"][name] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
   for (const auto& [key, value] : setup.parameters)
     if (const double* const number = std::get_if<double>(&value)) all["parameters"][text_of(key)] = *number;
+  for (const auto& [axis, on] : setup.diameter) all["diameter"][axis] = on;
   put_probe(all, setup);
   if (setup.tool != 0) all["tool"] = setup.tool;
   if (!setup.skip.empty()) all["skip"] = setup.skip;

@@ -76,6 +76,7 @@ Axes FlatProgram::base() const {
 }
 
 Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
+  KADR_TRY(write_held(&action));
   const bool is_act = by_kind(
       action, same<Motion, FrameChange>(false),
       // Codes that the control executes itself are omitted, because the flat program has its own calls and ends
@@ -86,7 +87,7 @@ Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
            Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>(true));
   has_acts_ = has_acts_ || is_act;
   return by_kind(
-      action, [&](const Motion& m) { return motion(m, now); },
+      action, [&](const Motion& m) { return hold(m, now) ? Status() : motion(m, now); },
       [&](const FrameChange& frame) {
         placement_ = frame.placement;
         return Status();
@@ -110,6 +111,7 @@ Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
 }
 
 Status FlatProgram::end_block() {
+  KADR_TRY(write_held());
   has_acts_ = false;
   if (std::exchange(wants_direction_, false)) KADR_TRY(spindle_on());
   if (!turret_word_.empty()) blocks_.text(std::exchange(turret_word_, {}));
@@ -227,6 +229,7 @@ Status FlatProgram::write_with_motion(const Motion& motion, const OffsetsInForce
                            {Function::length_comp, 0},
                            {Function::tool_length_off, any_argument},
                            {motion.side == 0 ? Function::compensation_off : Function::length_off, any_argument}}));
+  else if (now.length_sign > 0 && source_.turning_length != nullptr) return turning_length(now);
   else if (now.length_sign > 0)
     KADR_TRY(blocks_.code({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}}));
   else KADR_TRY(blocks_.code({{Function::length_minus, any_argument}, {Function::length_comp, 2}}));

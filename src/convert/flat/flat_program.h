@@ -52,7 +52,9 @@ struct FlatSource {
   std::array<std::optional<std::uint32_t>, 3> coolants{};
   // Codes of the target control that select a work system, by number of the work system: "G54", "G54.1 P1"
   std::vector<std::string> systems{};
-  bool turns = false;      // one of the two controls is that of a lathe: the target text begins in the plane of X and Z
+  bool turns = false;  // one of the two controls is that of a lathe: the target text begins in the plane of X and Z
+  // code of the target control for the lengths of a turning tool; nullptr: it has the same code for all tools, or T is the code
+  const CodeRow* turning_length = nullptr;
   bool diameters = false;  // X words of the target text are diameters
 };
 
@@ -67,6 +69,8 @@ class FlatProgram {
   ///   alarms  function_has_no_code  the target control has no code for the action
   ///           word_has_no_room
   Status take(const Action& action, const OffsetsInForce& now);
+  /// Writes the T word of a lathe if the source block that has just been executed has put other offsets into force, without an action.
+  Status note_offsets(const OffsetsInForce& now);
   /// Ends the flat blocks that together express one block of the source program.
   Status end_block();
   Status finish();
@@ -121,6 +125,9 @@ class FlatProgram {
   bool has_turret() const { return blocks_.def().behaviour.lathe != Lathe::none; }
   Status turret(std::uint32_t number, const OffsetsInForce& now);
   Status turret_offset(const OffsetsInForce& now);
+  Status turning_length(const OffsetsInForce& now);
+  bool hold(const Motion& motion, const OffsetsInForce& now);
+  Status write_held(const Action* next = nullptr);
   Status side_of_turret(const OffsetsInForce& now) const;
   Status surface_limit(const SurfaceSpeed& law);
   void note_system(const Motion& motion);
@@ -195,6 +202,9 @@ class FlatProgram {
   std::uint8_t smoothing_ = 0, smoothing_before_ = 0;
   // T word of a lathe, which belongs to the block of the next motion, or to a block of its own if the source block moves no axis
   std::string turret_word_;
+  // A motion to where the axes are already, and the offsets in force in its block. The next action decides whether it is written.
+  std::optional<Motion> held_;
+  OffsetsInForce held_offsets_;
   double written_most_rpm_ = 0;   // highest spindle speed with constant surface speed in the target text, rev/min; 0: no limit
   bool wants_direction_ = false;  // the block has an S word, so it also needs M3 or M4
 };

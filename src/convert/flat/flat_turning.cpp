@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr double same_value = 1e-9;  // lengths, leads and angles closer than this are equal: mm, degrees
+constexpr double same_number = 1e-9;  // lengths, leads and angles closer than this are equal: mm, degrees
 
 const CodeRow* limit_code(const ControlDef& def) {
   const CodeRow* const row = row_that_does(def, {{Function::new_system, 0}});
@@ -75,6 +75,40 @@ Status FlatProgram::turret_offset(const OffsetsInForce& now) {
   return {};
 }
 
+/// Writes the code for the lengths of a turning tool (nct 15.4) in a block of its own, because axis words in its block may belong to it.
+Status FlatProgram::turning_length(const OffsetsInForce& now) {
+  KADR_TRY(blocks_.code({{Function::length_comp, source_.turning_length->arg}}));
+  KADR_TRY(blocks_.word('H', now.length_number));
+  written_offsets_ = now;
+  return blocks_.end();
+}
+
+Status FlatProgram::note_offsets(const OffsetsInForce& now) {
+  const auto number = [](const OffsetsInForce& of) { return of.length_sign == 0 ? 0 : of.length_number; };
+  if (!has_turret() || form_ == FlatForm::plain || number(now) == number(written_offsets_)) return {};
+  KADR_TRY(end_block());
+  KADR_TRY(turret(selected_, now));
+  return end_block();
+}
+
+/// Holds a rapid motion of a lathe's program to where the axes are already. G28 U0 W0 has such a motion, which is left out, because in
+/// other states its coordinates are others (spec/fanuc-t 5.5).
+bool FlatProgram::hold(const Motion& motion, const OffsetsInForce& now) {
+  if (!source_.turns || is_between() || motion.kind != MotionKind::rapid || motion.end_reference != EndReference::by_work) return false;
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a)
+    if (std::fabs(motion.machine[a] - at_[a]) > same_number) return false;
+  held_ = motion, held_offsets_ = now;
+  return true;
+}
+
+/// Writes the motion that hold() has kept, unless the next action moves to a reference point.
+Status FlatProgram::write_held(const Action* next) {
+  if (!held_) return {};
+  const Motion held = *std::exchange(held_, std::nullopt);
+  const Motion* const after = next == nullptr ? nullptr : std::get_if<Motion>(&next->what);
+  return after != nullptr && reference_of(after->end_reference) != 0 ? Status() : motion(held, held_offsets_);
+}
+
 /// Checks that the radius offset in force is that of the T word, because a lathe has no other word for it.
 Status FlatProgram::side_of_turret(const OffsetsInForce& now) const {
   return now.radius_number == 0 || now.radius_number == now.length_number ? Status() : no_code("radius_number");
@@ -86,13 +120,13 @@ Status FlatProgram::thread(const Motion& motion) {
   constexpr double counts_per_degree = 1000;
   const double lead = motion.detail ? motion.detail->lead.value_or(0) : 0;
   const double angle = motion.detail ? motion.detail->start_angle.value_or(0) : 0;
-  const bool is_constant = lead > 0 && std::fabs(motion.feed - lead) <= same_value;
+  const bool is_constant = lead > 0 && std::fabs(motion.feed - lead) <= same_number;
   if (!is_constant || row_that_does(blocks_.def(), {{Function::thread, 0}}) == nullptr) return no_code("thread");
   code_ = Function::count, feed_ = -1;  // the lead is an F word too, so the next cut writes its feed again
   KADR_TRY(blocks_.code({{Function::thread, 0}}));
   KADR_TRY(axis_words(motion));
   KADR_TRY(blocks_.word('F', lead));
-  if (std::fabs(angle) <= same_value) return {};
+  if (std::fabs(angle) <= same_number) return {};
   if (!has_turret()) return blocks_.word('Q', angle);
   blocks_.text(fmt::format("Q{:.0f}", counts_per_degree * angle));
   return {};
