@@ -39,6 +39,8 @@ PROGRAMS = {
                                  {'fanuc-t': 'G28 U0 W0 G53 X-20.', 'haas-st': 'G28 U0 W0 G53'}),
     'a thread': ('fanuc-t', 'T0202\nG97 S400 M3\nG0 X30. Z5.\nG32 Z-20. F1.5\nG0 X40.\nZ5.\nX29.\nG32 X29. Z-20. F1.5 Q90000\nG0 X40.\nM30\n',
                  {'fanuc-t': 'G32 F1.5 Q90000', 'haas-st': 'G32 F1.5 Q90000', 'linuxcnc': None}),
+    'a thread of one start': ('fanuc-t', 'T0202\nG97 S400 M3\nG0 X30. Z5.\nG32 Z-20. F1.5\nG0 X40.\nM30\n', {'linuxcnc': 'G33 Z-20. K1.5', 'nct': 'G33 F1.5'}),
+    'a taper thread': ('fanuc-t', 'T0202\nG97 S400 M3\nG0 X30. Z5.\nG32 X32. Z-20. F1.5\nG0 X40.\nM30\n', {'linuxcnc': None, 'nct': 'G33 F1.5'}),
     'a lathe of LinuxCNC': ('linuxcnc', OF_LINUXCNC, {'fanuc-t': 'T0101 G99 X40. X50.', 'haas-st': 'T0101 G99 X40. X50.'}),
     'a mill is no lathe': ('fanuc-t', TURN, {'fanuc': None, 'grbl': None}),
 }
@@ -52,7 +54,7 @@ MISTAKES = {
     'feed per minute': (r'\bG9[59]\b', lambda word: 'G98' if word[0] == 'G99' else 'G94'),
     'no limit of the speed': (r'\bG(?:50|92) S2500', lambda _: ''),
     'no limit in G96': (r'\bD2500', lambda _: ''),
-    'another lead': (r'\bF1\.5\b', lambda _: 'F1.75'),
+    'another lead': (r'\b([FK])1\.5\b', lambda word: word[1] + '1.75'),
     'another length of Z': (r'\bZ-20\.', lambda _: 'Z-20.5'),
 }
 

@@ -54,8 +54,15 @@ class Writing {
       outlets.step = [this](const Step& step) { take(step.action); };
     }
     note(flat.begin(session_->stand(), control.placement()));
-    while (!made_.cannot_express && session_->go_on() == Session::State::running)
-      if (is_lathe(*spec_.to)) note(flat.note_offsets(offsets_of(control, session_->def())));
+    // Before a block the control is in the state after the previous block, which may have selected other offsets without an action
+    if (is_lathe(*spec_.to))
+      control.holds_before = [&](const Origin&) {
+        if (!made_.cannot_express) note(flat.note_offsets(offsets_of(control, session_->def())));
+        return false;
+      };
+    while (!made_.cannot_express && session_->go_on() == Session::State::running) {
+    }
+    control.holds_before = nullptr;
     if (!made_.cannot_express) note(flat.finish());
     made_.counts_from = flat.counts_from();
     for (const std::string& comment : comments_.rest())

@@ -162,6 +162,8 @@ FlatSource flat_source_of(const Session& session, const ControlDef& to) {
   FlatSource source{session.control().axes(), {}, has_systems(session.def()), shows_same_messages(session.def(), to)};
   source.systems = system_names(to);
   source.turns = turns(session.def(), to);
+  const auto has_thread = [](const ControlDef& def) { return row_that_does(def, {{Function::thread, 0}}) != nullptr; };
+  source.same_threads = has_thread(session.def()) && has_thread(to);
   source.turning_length = is_lathe(session.def()) ? turning_length_code(to) : nullptr;
   const bool has_diameters = row_that_does(to, {{Function::diameter_mode, 1}}) != nullptr || turning_length_code(to) != nullptr;
   source.diameters = is_lathe(to) || (is_lathe(session.def()) && has_diameters);

@@ -55,7 +55,8 @@ struct FlatSource {
   bool turns = false;  // one of the two controls is that of a lathe: the target text begins in the plane of X and Z
   // code of the target control for the lengths of a turning tool; nullptr: it has the same code for all tools, or T is the code
   const CodeRow* turning_length = nullptr;
-  bool diameters = false;  // X words of the target text are diameters
+  bool same_threads = false;  // both controls measure the lead of a taper thread along the same axis
+  bool diameters = false;     // X words of the target text are diameters
 };
 
 class FlatProgram {

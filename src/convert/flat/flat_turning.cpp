@@ -115,18 +115,22 @@ Status FlatProgram::side_of_turret(const OffsetsInForce& now) const {
 }
 
 /// Writes a thread of constant lead. F is the lead in mm, Q the angle of the spindle at its start; on a lathe Q counts 0.001° (spec/fanuc-t
-/// 8.1).
+/// 8.1). K of LinuxCNC is the lead along the path (spec/linuxcnc 7.2), so a taper thread is another one there.
 Status FlatProgram::thread(const Motion& motion) {
   constexpr double counts_per_degree = 1000;
   const double lead = motion.detail ? motion.detail->lead.value_or(0) : 0;
   const double angle = motion.detail ? motion.detail->start_angle.value_or(0) : 0;
-  const bool is_constant = lead > 0 && std::fabs(motion.feed - lead) <= same_number;
-  if (!is_constant || row_that_does(blocks_.def(), {{Function::thread, 0}}) == nullptr) return no_code("thread");
+  const bool is_constant = lead > 0 && std::fabs(motion.feed - lead) <= same_number, has_angle = std::fabs(angle) > same_number;
+  int moved = 0;
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) moved += std::fabs(motion.machine[a] - at_[a]) > same_number ? 1 : 0;
+  const bool by_feed = row_that_does(blocks_.def(), {{Function::thread, 0}}) != nullptr;
+  const bool is_other = moved > 1 && !source_.same_threads, cannot_turn = has_angle && !by_feed;
+  if (!is_constant || is_other || cannot_turn) return no_code("thread");
   code_ = Function::count, feed_ = -1;  // the lead is an F word too, so the next cut writes its feed again
-  KADR_TRY(blocks_.code({{Function::thread, 0}}));
+  if (!blocks_.code_if_there({{Function::thread, 0}, {Function::thread_by_spindle, 0}})) return no_code("thread");
   KADR_TRY(axis_words(motion));
-  KADR_TRY(blocks_.word('F', lead));
-  if (std::fabs(angle) <= same_number) return {};
+  KADR_TRY(blocks_.word(by_feed ? 'F' : 'K', lead));
+  if (!has_angle) return {};
   if (!has_turret()) return blocks_.word('Q', angle);
   blocks_.text(fmt::format("Q{:.0f}", counts_per_degree * angle));
   return {};
