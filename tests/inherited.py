@@ -43,14 +43,20 @@ def faults_of(control):
            [f'{control}: its notes name {key}, which is not taken over' for key in sorted(named - taken_over)]
 
 
+def parameters_of(name):
+    """Returns the names of the parameters of a table of controls/, with those of the table that it extends."""
+    table = tomllib.loads((CONTROLS / f'{name}.toml').read_text(encoding='utf-8'))
+    inherited = parameters_of(table['extends']) if 'extends' in table else set()
+    return inherited - {key for key, row in table.items() if row is False} | {key for key, row in table.items() if isinstance(row, dict)}
+
+
 def strangers_in(kadr, control, table):
     """Returns what `kadr explain` and the documentation page say about the root control, or about parameters that this control does not
     have."""
     root = control
     while 'extends' in (under := tomllib.loads((CONTROLS / f'{root}.toml').read_text(encoding='utf-8'))):
         root = under['extends'] if isinstance(under['extends'], str) else under['extends'][0]
-    own = tomllib.loads((CONTROLS / f'{table["parameters"]}.toml').read_text(encoding='utf-8'))
-    numbers = {f'N{int(number):04}' for number in own if number.isdigit()}
+    numbers = {f'N{int(number):04}' for number in parameters_of(table['parameters']) if number.isdigit()}
     for options in ([], ['--markdown']):
         text = subprocess.run([kadr, 'explain', control, *options], capture_output=True, text=True, check=True).stdout
         yield from sorted(set(re.findall(rf'(?i)\b{root}\b', text)) | set(re.findall(r'\bN[0-9]{4}\b', text)) - numbers)

@@ -187,6 +187,9 @@ def main():
         for drawing, options, status, alarm in FAULTS:
             done, program = run.mill(drawing, 's2c42', *options)
             run.expect(done.returncode == status and alarm in done.stderr and not program.exists(), f'{alarm}: {done.returncode} {done.stderr}')
+        for control in ('fanuc-t', 'fanuc-t-c'):   # a lathe: its X is a diameter
+            done, program = run.mill(TEXT, control)
+            run.expect(done.returncode == 1 and f'mill_lathe: {control} ' in done.stderr and not program.exists(), f'{control}: {done.stderr}')
         return run.tally.result()
 
 

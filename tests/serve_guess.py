@@ -20,6 +20,7 @@ FOLDERS = [
     {'a.nc': 'G154 P3\nG0 X0.\n', '.b.nc': '$H\nG0 X1\n', 'c.nc': 'G0 X1.5\nG1 Z-2. F100.\n'},
     {'.kadr.toml': '[control_for]\n"a*" = "grbl"\n', 'a.nc': 'G0 X1.5\n', 'b.nc': 'G154 P3\nG0 X0.\n', 'c.nc': 'G0 X1.5\nG1 Z-2. F100.\n'},
     {'.kadr.toml': 'control = "fanuc"\n', 'a.nc': guess.LATHE, 'sub/b.nc': guess.MILL},
+    {'a.nc': guess.ROUGH, 'b.nc': guess.SYSTEM_B, 'c.nc': 'O9020\nG0 X5. Z1.\nM99\n', 'd.nc': guess.DENFORD, 'e.nc': guess.LATHE},
     {'a.nc': '%00000\nN0 T1.1\nN1 M6\n', 'b.nc': '%00001\nN0 T2.2\nN1 M6\n', 'c.nc': 'N1 G0 X5 Y5\n'},
     {'O1001': '%\nO1001\nG187 P1\nG0 X0.\nM30\n%\n', 'O1002': '%\nO1002\nG0 X0.\nM30\n%\n', 'notes.txt': 'G154 P3\n'},
     {f'p{n:02}.nc': 'G0 X1.5\nG1 Z-2. F100.\n' for n in range(30)} | {'p20x.nc': 'G154 P3\nG0 X0.\n'},

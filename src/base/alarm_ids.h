@@ -70,7 +70,8 @@
   X(figure_corner_last) X(figure_direct_last) X(figure_over_start) X(figure_type_two)        \
   X(pattern_repeats) X(groove_relief) X(groove_end) X(groove_step) X(thread_angle)           \
   X(thread_cut_depth) X(thread_height) X(thread_lead_change) X(turning_axis)                 \
-  X(chamfer_in_taper) X(chamfer_not_square) X(turret_number)                                 \
+  X(chamfer_in_taper) X(chamfer_not_square) X(turret_number) X(figure_wrong_side)            \
+  X(corner_in_thread) X(corner_at_side_change) X(offset_value)                               \
   /* alarms of zones (nct 22), in-position (nct 4.1.1), channels (nct 14.5) */               \
   X(zone1_positive) X(zone1_negative) X(zone2_positive) X(zone2_negative) X(zone2_inside)    \
   X(zone3_inside) X(zone2_entry) X(zone3_entry)                                              \
@@ -108,7 +109,7 @@
   X(fixture) X(machine) X(drill_sideways) X(plunge) X(no_coolant) X(tool_without_shape) \
   X(contour_syntax) X(contour_word_missing) X(contour_unit) X(contour_radius)                \
   X(contour_empty) X(contour_too_large) X(contour_reach) X(contour_open_end)                 \
-  X(contour_branch) X(contour_crosses) X(mill_value) X(mill_hole)         \
+  X(contour_branch) X(contour_crosses) X(mill_value) X(mill_hole) X(mill_lathe) \
   X(tool_does_not_fit) X(mill_stepover) X(mill_too_long) X(mill_wall) X(mill_rapid) X(mill_uncut)          \
   X(mill_read_back) X(word_has_no_room) X(word_below_format) X(function_has_no_code) X(conversion_too_long) X(conversion_takes_long) X(conversion_unstated) X(result_too_large) X(program_number_zero) \
   /* alarms of the least-time planner and its samples (docs/planner.md) */                   \

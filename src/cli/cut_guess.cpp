@@ -43,10 +43,13 @@ bool take_stock(const StockGuess& guess, const ProgramRun& run, const std::vecto
   return !stock.empty();
 }
 
-bool take_tools(const std::vector<ProposedTool>& proposals, ToolLibrary& tools) {
+/// `lathe`: true if the program is that of a lathe. Its offset table states noses, not mills, and the cut takes the inserts of unknown
+/// tools from there.
+bool take_tools(const std::vector<ProposedTool>& proposals, bool lathe, ToolLibrary& tools) {
   std::string unknown;
   for (const ProposedTool& proposed : proposals) {
     const ToolGeometry& tool = proposed.tool;
+    if (lathe && (!proposed.known || (tool.kind != ToolKind::drill && tool.kind != ToolKind::turning))) continue;
     if (!proposed.known) {
       unknown += fmt::format("{}T{}", unknown.empty() ? "" : ", ", tool.number);
       continue;
@@ -80,7 +83,7 @@ bool guess_blank_and_tools(CutOptions& options, const Job& job, ToolLibrary& too
   if (options.run.limits.stop.requested()) return false;
   const std::vector<ProposedTool> proposals = tools_of(options, **run);
   const bool has_stock = !stock || take_stock(guess, **run, proposals, options.stock);
-  return (!shapes || take_tools(proposals, tools)) && has_stock;
+  return (!shapes || take_tools(proposals, job.def->behaviour.lathe != Lathe::none, tools)) && has_stock;
 }
 
 }  // namespace kadr::cli

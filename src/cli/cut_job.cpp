@@ -124,18 +124,22 @@ bool find_tools(const CutOptions& options, CutJob& job) {
 
 }  // namespace
 
-bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
+bool find_tools_and_end(CutOptions& options, CutJob& job) {
   const auto until = seconds_of(options.until, options.run.to);
   if (!until) {
     complain(translated(texts::cut_command::until_wrong, options.until));
     return false;
   }
   job.until = *until;
-  if (!find_tools(options, job) || !find_part(options, part) || !find_material(options, part, job)) return false;
+  job.stop = options.run.limits.stop;
+  return find_tools(options, job);
+}
+
+bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
+  if (!find_tools_and_end(options, job) || !find_part(options, part) || !find_material(options, part, job)) return false;
   job.threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
   job.wants_coolant = options.coolant;
   job.keeps_rates = options.run.colour == "load";
-  job.stop = options.run.limits.stop;
   return true;
 }
 

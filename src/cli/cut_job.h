@@ -15,6 +15,9 @@ namespace kadr::cli {
 ///   part     receives the target part if --part names its file
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
 
+/// Loads only the tools, and the instant or line at which the cut ends. If an error occurs, it is printed and the function returns false.
+bool find_tools_and_end(CutOptions& options, CutJob& job);
+
 /// Finds the number of the work offset that --stock-zero names. If an error occurs, it is printed and the function returns false.
 bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint16_t>& system);
 

@@ -28,14 +28,6 @@ ByteSink sink_of(std::FILE* file) {
   return [file](std::string_view bytes) { return std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(); };
 }
 
-bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
-  const std::string fault = has_ending(name, ".3mf")         ? write_3mf(mesh, sink_of(file))
-                            : write_stl(mesh, sink_of(file)) ? std::string()
-                                                             : errno_message(errno);
-  if (!fault.empty()) complain(name + ": " + fault);
-  return fault.empty();
-}
-
 /// Simplifies the mesh of the surface and writes it to the file. Prints an error and returns false if the mesh cannot be written, or if
 /// simplification needs more memory than --max-memory permits.
 bool write_simplified(const CutOptions& options, const Surface& surface, const Cutting& cutting, std::FILE* file, CutResult& result) {
@@ -51,6 +43,14 @@ bool write_simplified(const CutOptions& options, const Surface& surface, const C
 }
 
 }  // namespace
+
+bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
+  const std::string fault = has_ending(name, ".3mf")         ? write_3mf(mesh, sink_of(file))
+                            : write_stl(mesh, sink_of(file)) ? std::string()
+                                                             : errno_message(errno);
+  if (!fault.empty()) complain(name + ": " + fault);
+  return fault.empty();
+}
 
 bool can_write_meshes(const CutOptions& options) {
   if (!options.out.empty() && options.out != "-" && !has_ending(options.out, ".3mf") && !has_ending(options.out, ".stl")) {

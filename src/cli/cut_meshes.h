@@ -1,6 +1,9 @@
 #pragma once
 // Writes the surface meshes of kadr cut for the options --out, --simplify and --deviation. This file is used by cli/cut.
 
+#include <cstdio>
+#include <string>
+
 #include "cli/job/outputs.h"
 #include "cli/options/options.h"
 #include "session/cutting/cutting.h"
@@ -12,6 +15,9 @@ namespace kadr::cli {
 
 /// True if the meshes can be written in the formats that the file names select. Prints an error otherwise.
 bool can_write_meshes(const CutOptions& options);
+
+/// Writes a mesh as STL or 3MF, by the ending of the file's name. Prints an error and returns false if the file cannot be written.
+bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file);
 
 /// Writes the meshes to the open files. If an error occurs, it is printed and the function returns false.
 ///   surface  surface of the part after the cut; if --window names a window, the surface in the window

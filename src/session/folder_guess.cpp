@@ -58,6 +58,7 @@ std::vector<GuessRows> own_rows(const std::string& folder, const FileAccess* doo
     auto rows = guess == nullptr ? tl::unexpected<std::string>("") : guess_rows_of(*guess, file);
     if (!rows) continue;
     rows->control = file;
+    add_rows_of_language(*rows, (*table)["extends"].value_or(std::string_view()));
     all.push_back(std::move(*rows));
   }
   return all;

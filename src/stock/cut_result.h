@@ -82,11 +82,24 @@ struct ThreadCut {
   double middle_radius() const { return 0.5 * (from_radius + to_radius); }
 };
 
+/// Figures of a part that was cut exactly, as a body of revolution.
+struct TurnedResult {
+  double surface = 0, machined = 0;  // area of the part's surface, and of what tools have cut of it, mm²
+  /// Motions at feed that cut no body of revolution: with C or Y, or of a tool that turns off the axis. They remove nothing.
+  struct LeftOut {
+    Origin origin;          // the first of them
+    std::string program{};  // the program file that contains the block; empty if the block is in the main program
+    std::uint32_t tool = 0;
+    std::size_t motions = 0;
+  };
+  std::vector<LeftOut> left_out;
+};
+
 struct CutResult {
   double stock = 0;        // volume of the blank, mm³
   double left = 0;         // volume of the remaining material, mm³
   double error_bound = 0;  // upper bound of the error of the volumes `stock` and `left`, mm³
-  double cell = 0;         // edge length of a lattice cell, mm
+  double cell = 0;         // edge length of a lattice cell, mm; with `turned` the greatest deviation of a chord from an arc
   double seconds = 0;      // duration of the program, s
   std::uint64_t sweeps = 0;
   std::vector<ToolRemoval> tools;      // for each tool, the volume that it has removed and its time at feed; in the order of first use
@@ -97,6 +110,7 @@ struct CutResult {
   // Comparison with the wanted part, if such a part was given; only inside the window, if there is a window.
   std::optional<PartResult> part;
   std::optional<WindowResult> window;
+  std::optional<TurnedResult> turned;
   std::optional<SimplifiedResult> simplified;
   std::size_t not_listed = 0;  // number of findings that the lists omit, because each list has a limit
   // Numbers of the tools, except turning tools, whose diameter is less than two lattice cells. If there is a window, the cells of the

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -20,7 +21,12 @@ class BuiltIn : public testing::TestWithParam<std::string> {
  protected:
   const ControlDef def = load_control(GetParam()).value();
 };
-INSTANTIATE_TEST_SUITE_P(controls, BuiltIn, testing::ValuesIn(built_in_controls()), [](const auto& test) { return test.param; });
+/// Returns the name of a control as a name of a test, which has no hyphen.
+std::string test_name(std::string id) {
+  std::replace(id.begin(), id.end(), '-', '_');
+  return id;
+}
+INSTANTIATE_TEST_SUITE_P(controls, BuiltIn, testing::ValuesIn(built_in_controls()), [](const auto& test) { return test_name(test.param); });
 
 TEST(built_in_controls, are_the_files_of_the_folder_that_have_an_id) {
   const auto ids = built_in_controls();
@@ -217,7 +223,9 @@ TEST(extends, keeps_what_the_changed_row_does_not_name) {
 }
 
 TEST(extends, two_lays_the_rows_of_the_second_over_the_first) {
-  const ControlDef own = extended("id = \"own\"\nextends = [\"haas\", \"fanuc-t\"]\n");
+  const ControlDef own = extended(
+      "id = \"own\"\nextends = [\"haas\", \"fanuc-t\"]\n[groups]\n\"22\" = { initial = \"G100\", en = \"a\", ru = \"b\" }\n"
+      "[m]\n\"29\" = false\n");
   EXPECT_EQ(own.lineage, (std::vector<std::string>{"fanuc-t", "haas", "fanuc", "nct"}));
   EXPECT_NE(code_of(own, 'M', 970), nullptr) << "M97 of haas";
   EXPECT_EQ(code_of(own, 'M', 970)->function, Function::call_local);

@@ -126,6 +126,9 @@ TEST(setup_keys, what_the_controls_have) {
       {"fanuc",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
         H::probe, H::diameters, H::machine_axes}},
+      {"fanuc-t",  // turning_lengths: its tables have variables for X and Y
+       {H::nothing, H::work_offsets, H::variables, H::parameters, H::turning_lengths, H::lathe_offsets, H::tool_management, H::clock,
+        H::probe, H::diameters, H::machine_axes}},
       {"haas",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
         H::probe, H::diameters, H::machine_axes}},

@@ -278,6 +278,7 @@ std::vector<std::string> built_in_controls() {
     name.remove_suffix(5);
     if (is_control(name)) ids.emplace_back(name);
   }
+  std::sort(ids.begin(), ids.end());  // the files are sorted with their suffix, which puts fanuc-t-b.toml before fanuc-t.toml
   return ids;
 }
 

@@ -22,7 +22,7 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name, cons
 /// Like load_control(), but reads the control from TOML text; messages use `file` as the name.
 tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file);
 
-/// Returns the ids of the built-in controls.
+/// Returns the ids of the built-in controls, sorted.
 std::vector<std::string> built_in_controls();
 
 /// Returns the aliases of the built-in controls, sorted, each with its id: "haas-vf" → "haas".

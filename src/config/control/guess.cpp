@@ -183,22 +183,50 @@ Guess guess_of(const std::vector<Candidate>& candidates) {
   return guess;
 }
 
+/// Returns the score of a program language that Kadr does not read. A language that some controls read competes as these controls instead.
+double score_of_unread(const Candidate& language) { return language.rows->read_by.empty() ? language.score() : -decisive_weight; }
+
 /// Returns the program language that Kadr does not read, if the evidence identifies one; else nullptr.
 const Candidate* dialect_of(const std::vector<Candidate>& dialects) {
-  const auto best =
-      std::max_element(dialects.begin(), dialects.end(), [](const Candidate& a, const Candidate& b) { return a.score() < b.score(); });
-  return best != dialects.end() && best->score() >= decisive_weight ? &*best : nullptr;
+  const auto best = std::max_element(dialects.begin(), dialects.end(),
+                                     [](const Candidate& a, const Candidate& b) { return score_of_unread(a) < score_of_unread(b); });
+  return best != dialects.end() && score_of_unread(*best) >= decisive_weight ? &*best : nullptr;
+}
+
+std::string reason_with_name(const Candidate& dialect, Lang lang) {
+  const bool en = lang == Lang::en;
+  return (en ? dialect.rows->name_en : dialect.rows->name_ru) + ", " + reason_of(dialect.strongest(), en ? &Found::en : &Found::ru);
+}
+
+/// Lowers the scores of the controls that read only a certain program language, such as that of lathes, if the text has little evidence for
+/// this language: the control of the same maker's mill, whose evidence they share, is then the more likely one.
+void prefer_mills(std::vector<Candidate>& controls, const std::vector<Candidate>& dialects) {
+  constexpr double no_evidence = 4, some_evidence = 6;  // a text without Y has 4: such a program may be for either
+  for (const Candidate& language : dialects) {
+    const double score = language.score(), handicap = score < no_evidence ? 8 : score < some_evidence ? 2.5 : 0;
+    for (const LanguageReader& reader : language.rows->read_by)
+      for (Candidate& control : controls)
+        if (control.rows->control == reader.id && handicap > 0) control.found.push_back({-handicap, 0, {}, {}});
+  }
+}
+
+/// Notes which controls must not read the program, if the evidence identifies a program language that the guessed control reads.
+void take_refusal(Guess& guess, const std::vector<Candidate>& dialects) {
+  for (const Candidate& language : dialects) {
+    const auto& readers = language.rows->read_by;
+    const bool read = std::any_of(readers.begin(), readers.end(), [&](const LanguageReader& of) { return of.id == guess.control; });
+    if (!read || language.score() < decisive_weight) continue;
+    guess.refused_by = language.rows->refused_by;
+    guess.refusal_en = reason_with_name(language, Lang::en), guess.refusal_ru = reason_with_name(language, Lang::ru);
+  }
 }
 
 Guess of_dialect(const Candidate& dialect) {
   Guess guess;
   guess.decisive = true;
   guess.dialect = dialect.rows->control;
-  guess.refused_by = dialect.rows->refused_by;
   guess.language_en = dialect.rows->name_en, guess.language_ru = dialect.rows->name_ru;
-  const auto strongest = dialect.strongest();
-  guess.reason_en = guess.language_en + ", " + reason_of(strongest, &Found::en);
-  guess.reason_ru = guess.language_ru + ", " + reason_of(strongest, &Found::ru);
+  guess.reason_en = reason_with_name(dialect, Lang::en), guess.reason_ru = reason_with_name(dialect, Lang::ru);
   return guess;
 }
 
@@ -268,10 +296,13 @@ Guess guess_among(std::string_view sample, std::string_view path, const std::vec
       c.take(traits);
       if (!path.empty()) c.take_name(path);
     }
+  prefer_mills(candidates, dialects);
   if (const Candidate* const dialect = dialect_of(dialects)) return of_dialect(*dialect);
   if (text.kind == TextKind::prose) return unknown(text);
   Guess guess = guess_of(candidates);
-  for (const Candidate& c : dialects) guess.dialect_scores.emplace_back(c.rows->control, c.score());
+  take_refusal(guess, dialects);
+  for (const Candidate& c : dialects)
+    if (c.rows->read_by.empty()) guess.dialect_scores.emplace_back(c.rows->control, c.score());
   return guess;
 }
 
@@ -285,7 +316,7 @@ std::string refused_by_control(std::string_view sample, std::string_view control
   if (std::none_of(rows.begin(), rows.end(), [&](const GuessRows& of) { return refuses(of.refused_by); })) return {};
   const Guess guess = guess_control(sample);
   if (!refuses(guess.refused_by)) return {};
-  return translated_in(lang, texts::guess::milling_alone, lang == Lang::ru ? guess.reason_ru : guess.reason_en, id);
+  return translated_in(lang, texts::guess::milling_alone, lang == Lang::ru ? guess.refusal_ru : guess.refusal_en, id, guess.control);
 }
 
 std::vector<std::string> candidates_of(const Guess& guess) {

@@ -20,6 +20,7 @@ struct Guess {
   std::string language_en, language_ru;  // name of the program language `dialect`, for people
   // Controls that would execute such a program wrongly: for a lathe program, a control that Kadr reads as a mill.
   std::vector<std::string> refused_by;
+  std::string refusal_en, refusal_ru;  // the evidence for `refused_by`; empty if `refused_by` is empty
   std::string reason_en;  // sentence with the evidence for the guess; it names the program's lines in ascending order
   std::string reason_ru;
   bool decisive = false;  // true if the evidence for the guessed control is sufficient; false: the guess is weak
@@ -46,7 +47,7 @@ Guess guess_among(std::string_view sample, std::string_view path, const std::vec
 /// Checks whether the text is certainly in a program language for which the given control must not be used, such as a lathe program if Kadr
 /// reads the control as a mill. A control file of the user's own is never refused.
 ///   control  id or alias of the control
-///   returns  an error sentence; empty if the control may be used
+///   returns  an error sentence that names the control for such programs; empty if the control may be used
 std::string refused_by_control(std::string_view sample, std::string_view control, Lang lang);
 
 /// Returns the controls that a weak guess leaves possible, most likely first. There are at most five, few enough to try them all. Each

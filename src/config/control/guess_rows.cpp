@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "config/control/control_file.h"
@@ -53,6 +54,47 @@ std::optional<std::string> take_traits(const toml::table& table, const std::stri
   return std::nullopt;
 }
 
+/// Returns the rows of the section [guess] in the file of a built-in control; nullopt if it has no such section.
+std::optional<GuessRows> rows_in_file(const std::string& id) {
+  const std::string file = "controls/" + id + ".toml";
+  const auto table = toml_tools::embedded_table(file);
+  const toml::table* const guess = table ? (*table)["guess"].as_table() : nullptr;
+  if (guess == nullptr) return std::nullopt;
+  auto rows = guess_rows_of(*guess, file);
+  // The [guess] section of a built-in control is always valid, because tests/controls_table.py loads every built-in file
+  assert(rows);
+  rows->control = id;
+  return std::move(*rows);
+}
+
+/// Adds the rows of `base` whose patterns and traits `rows` does not have.
+void add_rows(GuessRows& rows, const GuessRows& base) {
+  const auto has_mark = [&rows](const GuessMark& mark) {
+    return std::any_of(rows.marks.begin(), rows.marks.end(),
+                       [&](const GuessMark& own) { return own.pattern == mark.pattern && own.place == mark.place; });
+  };
+  std::vector<GuessMark> more;
+  std::copy_if(base.marks.begin(), base.marks.end(), std::back_inserter(more), [&](const GuessMark& mark) { return !has_mark(mark); });
+  rows.marks.insert(rows.marks.end(), more.begin(), more.end());
+  const auto has_trait = [&rows](TextTrait trait) {
+    return std::any_of(rows.traits.begin(), rows.traits.end(), [&](const auto& own) { return own.first == trait; });
+  };
+  for (const auto& row : base.traits)
+    if (!has_trait(row.first)) rows.traits.push_back(row);
+}
+
+/// Reads `read_by` of a program language in controls/dialects.toml.
+std::vector<LanguageReader> readers_of(const toml::table& table, const std::string& file) {
+  std::vector<LanguageReader> readers;
+  for (const auto& [control, node] : table) {
+    const toml::table& reader = *node.as_table();
+    auto rows = guess_rows_of(*reader["guess"].as_table(), file);
+    assert(rows);  // always valid, because tests/config/guess_test.cpp reads all of them
+    readers.push_back({std::string(control.str()), reader["mill"].value_or(std::string()), std::move(*rows)});
+  }
+  return readers;
+}
+
 }  // namespace
 
 tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, const std::string& file) {
@@ -70,19 +112,24 @@ tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, con
   return rows;
 }
 
+void add_rows_of_language(GuessRows& rows, std::string_view control) {
+  for (const GuessRows& language : dialect_rows())
+    for (const LanguageReader& reader : language.read_by) {
+      if (reader.id != control) continue;
+      add_rows(rows, reader.rows);
+      add_rows(rows, language);
+      if (const auto mill = rows_in_file(reader.mill)) add_rows(rows, *mill);
+    }
+}
+
 const std::vector<GuessRows>& built_in_guess_rows() {
   static const std::vector<GuessRows> all = [] {
     std::vector<GuessRows> of;
     for (const std::string& id : built_in_controls()) {
-      const std::string file = "controls/" + id + ".toml";
-      const auto table = toml_tools::embedded_table(file);
-      const toml::table* const guess = table ? (*table)["guess"].as_table() : nullptr;
-      if (guess == nullptr) continue;
-      auto rows = guess_rows_of(*guess, file);
-      // The [guess] section of a built-in control is always valid, because tests/controls_table.py loads every built-in file
-      assert(rows);
-      rows->control = id;
-      of.push_back(std::move(*rows));
+      GuessRows rows = rows_in_file(id).value_or(GuessRows{});
+      rows.control = id;
+      add_rows_of_language(rows, id);
+      if (!rows.marks.empty()) of.push_back(std::move(rows));
     }
     return of;
   }();
@@ -104,6 +151,7 @@ const std::vector<GuessRows>& dialect_rows() {
       rows->name_ru = dialect["name"]["ru"].value_or(std::string());
       if (const toml::array* const by = dialect["refused_by"].as_array())
         for (const toml::node& control : *by) rows->refused_by.push_back(control.value_or(std::string()));
+      if (const toml::table* const by = dialect["read_by"].as_table()) rows->read_by = readers_of(*by, file);
       of.push_back(std::move(*rows));
     }
     return of;

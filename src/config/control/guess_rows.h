@@ -32,6 +32,8 @@ struct GuessMark {
   std::size_t rarest = any_sign;
 };
 
+struct LanguageReader;
+
 /// The evidence that points to one control or program language.
 struct GuessRows {
   std::string control;           // id of the control or of the program language
@@ -39,8 +41,18 @@ struct GuessRows {
   // Only for a program language: controls that must not be used for its programs, because Kadr reads programs of these controls
   // differently.
   std::vector<std::string> refused_by;
+  // Only for a program language that some controls read, such as that of lathes: these controls, whether they are built in or not. Empty
+  // for a language that Kadr does not read.
+  std::vector<LanguageReader> read_by;
   std::vector<GuessMark> marks;
   std::vector<std::pair<TextTrait, double>> traits;
+};
+
+/// A control that reads the programs of a language in controls/dialects.toml.
+struct LanguageReader {
+  std::string id;    // id of the control
+  std::string mill;  // id of the control for the same maker's mills, whose evidence counts for this control too
+  GuessRows rows;    // the evidence that distinguishes this control from the others that read the language
 };
 
 /// A mark with at least this weight identifies the control by itself. A program language is identified if the weights of all its evidence
@@ -51,9 +63,14 @@ inline constexpr double decisive_weight = 10;
 ///   returns  on failure, an error sentence: a weight that is not a number from -20 to 20 or is 0, or an unknown trait
 tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, const std::string& file);
 
-/// Returns the rows of the built-in controls, which are read once.
+/// Returns the rows of the built-in controls, which are read once; add_rows_of_language() has added to them.
 const std::vector<GuessRows>& built_in_guess_rows();
-/// Returns the rows of the program languages that Kadr does not read; they are read once.
+/// Returns the rows of the program languages in controls/dialects.toml; they are read once.
 const std::vector<GuessRows>& dialect_rows();
+
+/// Adds the rows that a control gets from the program language that it reads (`read_by` in controls/dialects.toml): those of the control
+/// in this language, those of the language, those of the same maker's mill. Of two rows with the same pattern or trait, the first is kept.
+///   control  id of the control, or of the control that a user's own control file extends; if it reads no such language, nothing changes
+void add_rows_of_language(GuessRows& rows, std::string_view control);
 
 }  // namespace kadr

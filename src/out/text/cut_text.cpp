@@ -63,6 +63,22 @@ std::string difference_row(PlainText name, const PartDifference& d, Lang lang) {
 /// Returns the depth of the thread below its crest, mm. The depth is negative if the tip of the insert has not reached the crest.
 double thread_depth(const ThreadCut& t) { return (t.is_outer ? 1 : -1) * (*t.crest_radius - t.middle_radius()); }
 
+std::string left_out_words(const TurnedResult::LeftOut& left, Lang lang) {
+  return translated_in(lang, texts::cut_summary::motions_left_out, left.tool, left.motions, line_words(left.origin, left.program, lang));
+}
+
+ordered_json turned_json(const TurnedResult& turned) {
+  ordered_json json{{"surface", rounded(turned.surface)}, {"machined", rounded(turned.machined)}};
+  for (const TurnedResult::LeftOut& left : turned.left_out) {
+    ordered_json one;
+    add_place(one, left.origin, left.program);
+    one["tool"] = left.tool;
+    one["motions"] = left.motions;
+    json["left_out"].push_back(one);
+  }
+  return json;
+}
+
 std::string thread_words(const ThreadCut& t, Lang lang) {
   std::string text = translated_in(lang, texts::cut_summary::thread, t.tool, t.origin.line, 2 * t.from_radius, t.from_z, 2 * t.to_radius,
                                    t.to_z, t.passes);
@@ -104,9 +120,12 @@ std::string cut_caption(const CutResult& r, Lang lang) {
 std::string cut_summary(const CutResult& r, Lang lang) {
   const auto row = [&](PlainText name, const std::string& value) { return summary_row(plain_text(name, lang), value); };
   const auto volume = [&](double v) { return translated_in(lang, texts::cut_summary::volume_within, v, r.error_bound); };
-  std::string text = row(texts::cut_summary::cell, translated_in(lang, texts::cut_summary::length, r.cell)) +
-                     row(texts::cut_summary::blank, translated_in(lang, texts::cut_summary::volume, r.stock)) +
+  const std::string cell =
+      r.turned ? std::string() : row(texts::cut_summary::cell, translated_in(lang, texts::cut_summary::length, r.cell));
+  std::string text = cell + row(texts::cut_summary::blank, translated_in(lang, texts::cut_summary::volume, r.stock)) +
                      row(texts::cut_summary::left, volume(r.left)) + row(texts::cut_summary::removed, volume(r.stock - r.left));
+  if (r.turned)
+    text += row(texts::cut_summary::surface, translated_in(lang, texts::cut_summary::areas, r.turned->surface, r.turned->machined));
   if (const auto& in = r.window)
     text += row(texts::cut_summary::window, translated_in(lang, texts::cut_summary::window_volumes, in->cell, in->stock, in->left,
                                                           in->error_bound, in->stock - in->left, in->error_bound));
@@ -124,6 +143,9 @@ std::string cut_summary(const CutResult& r, Lang lang) {
   name = plain_text(texts::cut_summary::in_the_air, lang);
   for (const AirCut& air : r.emptiest)
     if (air.seconds >= least_reported) next_of_list(air_words(air, lang));
+  name = plain_text(texts::cut_summary::left_out, lang);
+  if (r.turned)
+    for (const TurnedResult::LeftOut& left : r.turned->left_out) next_of_list(left_out_words(left, lang));
   const std::size_t count = r.collisions.size() + r.not_listed;
   if (r.part)
     text += difference_row(texts::cut_summary::left_on, r.part->left_on, lang) +
@@ -157,6 +179,7 @@ ordered_json cut_json(const CutResult& r, std::size_t alarms, std::size_t warnin
                       {"removed", rounded(r.window->stock - r.window->left)},
                       {"error_bound", rounded(r.window->error_bound)},
                       {"resolution", r.window->cell}};
+  if (r.turned) json["turned"] = turned_json(*r.turned);
   json["tools"] = ordered_json::array();
   for (const ToolRemoval& t : r.tools)
     json["tools"].push_back(

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "action/by_kind.h"
+#include "path/compensation/nose_tip.h"
 #include "path/compensation/radius_compensation.h"
 #include "path/curve/plane_shift.h"
 
@@ -225,7 +226,9 @@ void RadiusCompensation::watch_path(const Held& held, Vec2 end_vector) {
   const Motion& m = held.motion;
   // The smaller radius is used, because with a new D word the tool radius changes during the motion.
   const double radius = std::min(m.tool_radius, now_.radius_before);
-  const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector;
+  // Where compensation stops, the tip of a turning tool is at the programmed point, the nose centre is not (fanuc-t 7.4).
+  const Vec2 center = held.tip - nose_vector(m.nose, m.tool_radius);
+  const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector + center;
   const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
   ContourSpan known;
   if (is_arc(m.kind) == held.element.is_arc && is_on_offset(held.element, held.start_vector, end_vector, m.tool_radius, m.side))

@@ -18,8 +18,9 @@ void take_session(const Session& session, bool starts_known, CutJob& cut) {
   cut.spindle = dir == "cw" ? SpindleDir::cw : dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
   cut.disabled = setup.disabled;
   cut.starts_known = starts_known;
+  const bool lathe = session.def().behaviour.lathe != Lathe::none;  // lengths of a lathe contain the wear, which makes the size right
   for (const auto& [number, offset] : setup.offsets)
-    if (number > 0 && offset.length != 0) cut.lengths[std::uint32_t(number)] = offset.length;
+    if (!lathe && number > 0 && offset.length != 0) cut.lengths[std::uint32_t(number)] = offset.length;
   cut.machine = std::make_shared<MachineTree>(session.machine(), axes);
   if (rapids_apart(session.def(), setup, axes)) cut.apart = rates_of(session.machine(), setup, axes).rapid;
 }

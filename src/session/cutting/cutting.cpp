@@ -35,16 +35,16 @@ double flat_length(const PathSegment& p) {
   return length(p.to - p.from - climb_of(p) * p.from_direction);
 }
 
-AlarmId fault_of_part(ToolPart part) {
-  return part == ToolPart::holder ? AlarmId::holder_in_stock : part == ToolPart::shank ? AlarmId::shank_in_stock : AlarmId::beyond_flutes;
-}
-
 double least_side(const Box3& box) {
   const Vec3 size = box.most - box.least;
   return std::min({size.x, size.y, size.z});
 }
 
 }  // namespace
+
+AlarmId fault_of_part(ToolPart part) {
+  return part == ToolPart::holder ? AlarmId::holder_in_stock : part == ToolPart::shank ? AlarmId::shank_in_stock : AlarmId::beyond_flutes;
+}
 
 Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     : job_(job),

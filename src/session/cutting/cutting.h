@@ -67,6 +67,9 @@ struct CutJob {
   StopToken stop;
 };
 
+/// Returns the alarm to report if this part of a tool, which is not its cutting part, removes material.
+AlarmId fault_of_part(ToolPart part);
+
 class Cutting {
  public:
   Cutting(const CutJob& job, const AxisRoles& roles);

@@ -64,6 +64,15 @@ std::optional<BodyShape> shape_of_words(const std::string& text) {
   return shape;
 }
 
+std::optional<TurnedRegion> turned_region_of(const std::string& text) {
+  constexpr std::string_view kind = "cylinder:";
+  const auto n = text.starts_with(kind) ? numbers_of(std::string_view(text).substr(kind.size())) : std::nullopt;
+  if (!n || (n->size() != 5 && n->size() != 6) || (*n)[0] != 0 || (*n)[1] != 0) return std::nullopt;
+  const double bottom = (*n)[2], top = (*n)[3], diameter = (*n)[4], bore = n->size() == 6 ? (*n)[5] : 0;
+  if (!(bottom < top && diameter > bore && bore >= 0)) return std::nullopt;
+  return cylinder_region(bottom, top, diameter, bore);
+}
+
 bool names_mesh_file(const std::string& text) {
   const std::string small = in_small_letters(text);
   return small.ends_with(".stl") || small.ends_with(".3mf");

@@ -10,6 +10,7 @@
 #include "base/file_access.h"
 #include "config/machine/machine_bodies.h"
 #include "stock/blank/blank.h"
+#include "stock/turned/turned_stock.h"
 
 namespace kadr {
 
@@ -29,6 +30,10 @@ bool names_mesh_file(const std::string& text);
 
 /// Returns the box or cylinder that the text describes; nullopt if the text is not valid or is the name of a file.
 std::optional<BodyShape> shape_of_words(const std::string& text);
+
+/// Returns the region of a body of revolution about X0 Y0, by its words: cylinder:0,0,Z0,Z1,D, or with a bore cylinder:0,0,Z0,Z1,D,BORE;
+/// nullopt for any other text.
+std::optional<TurnedRegion> turned_region_of(const std::string& text);
 
 /// Reads two opposite corners of a window: X0,Y0,Z0,X1,Y1,Z1, mm.
 ///   returns  an error sentence if the text is not valid

@@ -57,4 +57,11 @@ std::vector<ThreadCut> ThreadCuts::found_in(const Stock& stock) const {
   return threads;
 }
 
+std::vector<ThreadCut> ThreadCuts::found(const std::function<std::optional<Vec2>(double z)>& radii_at) const {
+  std::vector<ThreadCut> threads = threads_;
+  for (ThreadCut& t : threads)
+    if (const auto radii = radii_at(0.5 * (t.from_z + t.to_z))) t.crest_radius = t.is_outer ? radii->y : radii->x;
+  return threads;
+}
+
 }  // namespace kadr

@@ -5,6 +5,8 @@
 // stock still contains the cylinder or cone into which the thread is cut. As on any motion, the tool holder is checked against the stock,
 // and the whole tool against fixtures.
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/vec.h"
@@ -25,6 +27,9 @@ class ThreadCuts {
   void add(const ThreadPass& pass, const ToolShape& tool);
   /// Returns the threads, with crest radii (mm) measured on the present stock.
   std::vector<ThreadCut> found_in(const Stock& stock) const;
+  /// The same for a stock of any kind. `radii_at`: returns the least and the greatest radius of the material at a Z, mm; nullopt where no
+  /// material is.
+  std::vector<ThreadCut> found(const std::function<std::optional<Vec2>(double z)>& radii_at) const;
 
  private:
   std::vector<ThreadCut> threads_;

@@ -67,6 +67,7 @@ Result<PartProgram> written_program(const MillRequest& request, const ControlDef
 
 tl::expected<Milled, DrawingFault> milled(const MillRequest& request, std::string_view drawing, const ControlDef& def,
                                           const area::Watch& watch) {
+  if (def.behaviour.lathe != Lathe::none) return drawing_fault(0, alarm(AlarmId::mill_lathe, {}, std::string_view(def.id)));
   auto job = mill_job(request);
   if (!job) return drawing_fault(0, job.error());
   job->watch = watch;

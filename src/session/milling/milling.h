@@ -30,7 +30,7 @@ struct Milled {
 /// Converts a drawing to a verified program. `watch`: shows the progress to the caller, who may interrupt the work.
 ///   drawing  text of the drawing: DXF, SVG or plain text, which is recognised by its content
 ///   returns  a fault with its line of the drawing; line 0: the fault concerns the job as a whole
-///   alarms   those of mill_job(), read_drawing(), area::chained(), area::zones_of(), area::verified_path(), part_program(), same_moves(),
+///   alarms   mill_lathe; those of mill_job(), read_drawing(), area::chained(), area::zones_of(), area::verified_path(), part_program(), same_moves(),
 ///            and interrupted
 tl::expected<Milled, DrawingFault> milled(const MillRequest& request, std::string_view drawing, const ControlDef& def,
                                           const area::Watch& watch = {});

@@ -10,6 +10,7 @@
 #include "control/fanuc/drilling/drilling.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/five_axis/five_axis_functions.h"
+#include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/words/data_lines.h"
 #include "control/functions/functions.h"
@@ -227,6 +228,7 @@ Result<bool> before_plan(Interpreter& m) {
   count_increments(m);
   KADR_TRY(check_values(m));
   KADR_TRY(take_bare_words(m));
+  take_corner_letters(m);
   KADR_TRY(five_axis_block(m));
   KADR_TRY(check_words(m));
   KADR_TRY(take_spindle_words(m));

@@ -246,6 +246,7 @@ void Fanuc::reset_program(Interpreter& m) {
   stop_machine(m);
   reset_shifts(m);
   reset_codes(m, true);
+  if (settings.lathe.offset_ends) end_turret_offset(m);
   state.side_step = SideStep::none;
   state.compensates = false;
   m.change_frames();

@@ -76,7 +76,8 @@ Status DrillingRun::check(const Emitter& m) const {
   const bool turns = is_tap() ? tapping_rpm(m) > 0 : fanuc_of(m).spindle_rpm(m) > 0;
   if (turns) return {};
   const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
-  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
+  const bool by_unit = m.def.behaviour.dwell_unit == DwellUnit::seconds;  // elsewhere P is always a time
+  const bool revolutions = by_unit && m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
   // Without rotation only a tap and a dwell in revolutions would never end (8), so other cycles are not checked.
   if (!is_tap() && !(dwells && revolutions)) return {};
   const std::int16_t row = m.modal.rows[fanuc_of(m).drilling_group];
@@ -93,7 +94,7 @@ Result<bool> DrillingRun::next(Emitter& m) {
   }
   const DrillStep now = cycle_.steps[at_ - 1];
   if (now == end) {
-    if (job_.release_code != 0) m.emit(MachineFunction{job_.release_code, {}, {}, std::uint8_t{0}});
+    if (job_.clamp_code != 0) m.emit(MachineFunction{job_.clamp_code + 1, {}, {}, std::uint8_t{0}});
     if (job_.release_dwell > 0) m.emit(Dwell{job_.release_dwell});
     single_block(m);
     at_ = 0;
@@ -123,6 +124,7 @@ Status DrillingRun::over_point(Emitter& m, Vec2 point) {
 Status DrillingRun::begin_pass(Emitter& m) {
   if (!job_.points.empty()) KADR_TRY(over_point(m, job_.points[pass_]));
   else if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
+  if (pass_ != 0 && job_.clamp_code != 0) m.emit(MachineFunction{job_.clamp_code, {}, {}, std::uint8_t{0}});
   hole_ = m.position.programmed;
   depth_ = job_.level;
   peck_ = job_.peck;

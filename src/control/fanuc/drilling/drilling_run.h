@@ -49,8 +49,9 @@ class DrillingRun final : public SteppedCycleValue<DrillingRun> {
     double rise = 0;             // height in mm above R to which the tool returns between pecks
     double clear_after = 0;      // depth in mm that the pecks cut before the tool returns to R (spec/haas 8.3); 0: the tool never returns
     bool orients_tap = false;    // parameter bit TSC = 1: M19 orients the spindle before rigid tapping
-    // M code that releases the C axis after each hole, and the dwell in s after it (spec/fanuc-t 10.1); 0: none
-    std::uint32_t release_code = 0;
+    // M code that clamps the C axis over each hole; the next M code releases it after the hole, and the dwell in s follows (spec/fanuc-t
+    // 10.1); 0: none. Over the first hole the block's own M word clamps.
+    std::uint32_t clamp_code = 0;
     double release_dwell = 0;
   };
   explicit DrillingRun(Job job);

@@ -112,6 +112,11 @@ void finish_surface(BlockContext& m, Motion& motion, const Axes& from) {
   if (m.modal.surface == PathSurface::polar) fanuc_of(m).state.surface_angle = m.position.work[m.modal.axes.second];
 }
 
+Status uncompensated_surface(const BlockContext& m) {
+  if (m.modal.radius_side == 0 || fanuc_of(m).state.tool_radius == 0) return {};
+  return fail(alarm(AlarmId::not_available, m.block->where, m.modal.radius_side < 0 ? "G41" : "G42"));
+}
+
 Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
   const PlaneAxes& plane = m.modal.axes;
   const Axes from = m.position.programmed;
@@ -125,6 +130,7 @@ Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMas
     // possible angles is right.
     named |= both;
   }
+  if (in_plane && !real_rapid) KADR_TRY(uncompensated_surface(m));
   m.move_to(programmed, surface_work(m, programmed), named);
   Motion& motion = m.add_motion(kind, named);
   if (kind != MotionKind::rapid && kind != MotionKind::home) m.set_feed(motion);

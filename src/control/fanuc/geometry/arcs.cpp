@@ -197,6 +197,7 @@ class Arc {
       const Axes from = m_.position.work;
       return control_tip(m_, move(arc, end_), from);
     }
+    if (m_.modal.surface != PathSurface::plane) KADR_TRY(uncompensated_surface(m_));
     const Axes before = m_.position.programmed;
     Axes work = transformed(m_, end_);
     KADR_TRY(m_.within_reach(work));

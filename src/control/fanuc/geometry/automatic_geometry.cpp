@@ -62,11 +62,49 @@ Status corner_words(const BlockContext& m, CornerData& contour) {
   return {};
 }
 
+/// Checks that a motion with a corner neither begins nor ends compensation on a lathe of Fanuc (spec/fanuc-t 3.4).
+///   alarms  corner_at_side_change
+Status no_side_change(const BlockContext& m, const Call& call) {
+  const SideStep step = fanuc_of(m).state.side_step;
+  if (m.def.behaviour.lathe != Lathe::fanuc || (step != SideStep::begins && step != SideStep::ends)) return {};
+  return fail(alarm(AlarmId::corner_at_side_change, call.where));
+}
+
+/// Returns true if the block is executed as G1: no other code of its group, and no function that acts once, is in the block.
+bool is_line(const BlockContext& m) {
+  const Fanuc& fanuc = fanuc_of(m);
+  bool line = m.modal.motion_row >= 0 && m.def.codes[static_cast<std::size_t>(m.modal.motion_row)].function == Function::linear;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const std::int32_t index = w.address != 'G' || w.code < 0 ? -1 : m.def.row_of('G', w.code);
+    if (index < 0) continue;
+    const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
+    if (row.function == Function::linear) line = true;
+    else if (!row.modal || row.group == fanuc.motion_group || row.group == fanuc.drilling_group) return false;
+  }
+  return line;
+}
+
 }  // namespace
 
+void take_corner_letters(BlockContext& m) {
+  if (!fanuc_of(m).settings.lathe.corners_without_comma || !is_line(m)) return;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    const bool means = w.address == 'R' || ((w.address == 'C' || w.address == 'A') && (m.letters.axes & letter_bit(w.address)) == 0);
+    if (!means) continue;
+    w.address = comma_address(w.address);
+    m.block->altered = true;
+  }
+  if (m.block->altered) m.note_addresses();
+}
+
 bool has_corner_words(const BlockContext& m) {
-  constexpr std::uint64_t corner_bits = letter_bit('I') | letter_bit('K') | letter_bit('R');
-  return m.def.behaviour.lathe != Lathe::none && (m.block->letters & corner_bits) != 0;
+  if (m.def.behaviour.lathe == Lathe::none) return false;
+  // With G40, G41 or G42, I and K are the direction of the wall (spec/fanuc-t 7.3)
+  constexpr std::uint64_t directions = letter_bit('I') | letter_bit('K');
+  const std::uint64_t corner_bits = letter_bit('R') | (m.has_code({Function::radius_side}) ? 0 : directions);
+  return (m.block->letters & corner_bits) != 0;
 }
 
 bool has_geometry_words(const BlockContext& m) { return (m.block->letters & geometry_bits) != 0; }
@@ -124,7 +162,9 @@ Status shaped_line(Emitter& m, const Call& call, MotionKind kind) {
   const bool cornered = kind == MotionKind::feed && has_corner_words(m) && m.has_axis_words();
   if (cornered) KADR_TRY(corner_words(m, contour));
   const PlaneWords words = plane_words(m);
-  const bool shaped = has_shape_words(m) || cornered, supports = m.has(comma_angle) && !words.one();
+  const bool shaped = has_shape_words(m) || cornered;
+  if (shaped) KADR_TRY(no_side_change(m, call));
+  const bool supports = m.has(comma_angle) && !words.one();
   if (shaped && (kind != MotionKind::feed || !(m.has(comma_angle) || words.first || words.second)))
     return fail(alarm(AlarmId::corner_illegal, m.where(m.has(comma_chamfer) ? comma_chamfer : comma_rounding)));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, ",A ,C ,R"));

@@ -21,6 +21,10 @@ bool has_shape_words(const BlockContext& m);
 /// Returns true if the block of a lathe has I, K or R, which in G1 are a chamfer or a rounding (spec/fanuc-t 3.4).
 bool has_corner_words(const BlockContext& m);
 
+/// Lets the words C, R and A of a lathe's G1 mean ,C ,R ,A if parameter 3405#4 CCR is set. C and A are axes where the channel has them
+/// (spec/fanuc-t 3.4).
+void take_corner_letters(BlockContext& m);
+
 /// Which of the two axes of the plane have a word in the block.
 struct PlaneWords {
   bool first = false, second = false;
@@ -38,7 +42,8 @@ Status end_by_angle(const BlockContext& m, Axes& to, AxisMask& named);
 Status one_coordinate(const BlockContext& m);
 
 /// Executes G0 or G1 with the words ,C ,R ,A or Q (chapter 17).
-///   alarms  those of end_by_angle and shape_words; angle_alone, intersection_needs_side, illegal_address (Q), surface_state
+///   alarms  those of end_by_angle and shape_words; angle_alone, intersection_needs_side, illegal_address (Q), surface_state;
+///           corner_at_side_change: a corner of a lathe at the start or the end of compensation
 Status shaped_line(Emitter& m, const Call& call, MotionKind kind);
 
 /// Reads ,C and ,R of the block.

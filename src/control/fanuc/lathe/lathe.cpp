@@ -10,6 +10,7 @@
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/lathe/lathe_words.h"
 #include "control/functions/functions.h"
+#include "lang/block/grammar.h"
 
 namespace kadr::fanuc {
 
@@ -41,6 +42,16 @@ Status no_point(const BlockContext& m, char letter) {
   const Word* const w = m.word(letter);
   if (w == nullptr || !w->has_point) return {};
   return fail(alarm(AlarmId::point_not_allowed, w->where, letter));
+}
+
+Status check_thread_words(const BlockContext& m, const Call& call) {
+  if (m.def.behaviour.lathe != Lathe::fanuc) return {};
+  const bool line = call.row->function == Function::thread;  // R of a cycle is its taper
+  for (const char letter : {comma_chamfer, comma_rounding, 'I', 'R', 'K'}) {
+    const bool comma = letter == comma_chamfer || letter == comma_rounding, lead = letter == 'K' && call.row->arg == 34;
+    if (m.has(letter) && (comma || (line && !lead))) return fail(alarm(AlarmId::corner_in_thread, m.where(letter)));
+  }
+  return no_point(m, 'Q');
 }
 
 double start_angle_of(const BlockContext& m) {

@@ -27,8 +27,10 @@ void start_turning_memory(Fanuc& fanuc);
 /// Executes T: the turret turns to the tool, and the offset takes effect (spec/fanuc-t 4.1).
 ///   alarms  turret_number; offset_number_large (PS0030)
 Status turret(Emitter& m, const Call& call);
+/// Ends the tool offset without a motion: a reset, if 5003#6 is set (spec/fanuc-t 1.2). The caller then updates the frames.
+void end_turret_offset(BlockContext& m);
 /// Executes G10 without L, and that with the L of is_turret_table(): sets the tool offsets (spec/fanuc-t 4.3, spec/haas-st 3).
-///   alarms  table_kind_unknown (PS0031), word_missing
+///   alarms  table_kind_unknown (PS0031), offset_value (PS0032), word_missing
 Status set_turret_offset(Emitter& m, const Call& call);
 /// Returns true if the word L of G10 means the table of turning tools: L1, L10 and L11 on a Haas.
 bool is_turret_table(const BlockContext& m, std::uint32_t l);

@@ -52,6 +52,7 @@ Status take_words(Emitter& m, DrillingMemory& memory) {
     const bool halves = fanuc_of(m).settings.lathe.level_is_diameter && is_diameter(m, memory.axis);
     memory.level = m.length_value('R') * (halves ? 0.5 : 1);
   }
+  if (m.def.behaviour.lathe == Lathe::fanuc) KADR_TRY(no_point(m, 'Q'));  // 1.4
   if (m.has('Q')) memory.peck = std::fabs(step_of(m, 'Q'));
   if (m.has('P')) {
     const auto seconds = dwell_by_digits(m);
@@ -126,7 +127,7 @@ Status turned_drilling(Emitter& m, const Call& call) {
   auto job = job_of(m, call, memory, *holes);
   if (!job) return fail(job.error());
   if (const int clamp = clamp_of(m); clamp != 0) {
-    job->release_code = static_cast<std::uint32_t>(clamp) + 1;
+    job->clamp_code = static_cast<std::uint32_t>(clamp);
     job->release_dwell = fanuc.settings.lathe.release_dwell;
   }
   suspend_side(m);

@@ -90,7 +90,7 @@ Status one_block_thread(const BlockContext& m, ThreadJob& job) {
 
 /// Reads the second block of G76 (9.9).
 Status two_block_thread(const BlockContext& m, ThreadJob& job) {
-  for (const char letter : {'P', 'Q'}) KADR_TRY(no_point(m, letter));
+  KADR_TRY(no_point(m, 'P'));
   job.taper = m.length_value('R');
   job.height = step_of(m, 'P');
   job.first = step_of(m, 'Q');

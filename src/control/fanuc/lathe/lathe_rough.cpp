@@ -104,6 +104,19 @@ Status set_pattern(BlockContext& m, const Call& call) {
   return {};
 }
 
+/// Checks that G41 or G42 puts the nose on that side of the figure on which the cycle begins. The figure and the way back to the start
+/// point S enclose the stock, so S is on the left of the figure if they are traversed counter-clockwise. INFERRED: the manual names no
+/// rule, and the nose radius may be 0 (9.11). alarms figure_wrong_side (PS0328)
+Status check_side(const BlockContext& m, const std::vector<ContourPiece>& figure, const Call& call) {
+  if (m.modal.radius_side == 0 || m.def.behaviour.lathe != Lathe::fanuc) return {};
+  const Vec2 start = figure.front().from;
+  double area = 0;
+  for (const ContourPiece& piece : figure) area += cross(piece.from - start, piece.to - start);
+  const bool left = (m.modal.radius_side < 0) != m.transform.reverses(m.modal.axes);
+  const bool wrong = std::fabs(area) > tol::level && (area > 0) != left;
+  return wrong ? fail(alarm(AlarmId::figure_wrong_side, call.where)) : Status();
+}
+
 Status figure_fault(FigureFault fault, std::uint32_t block, const Call& call) {
   switch (fault) {
     case FigureFault::none: return {};
@@ -115,6 +128,12 @@ Status figure_fault(FigureFault fault, std::uint32_t block, const Call& call) {
   return {};
 }
 
+/// Drops a rapid motion at the end of the figure of a Haas. INFERRED: the Q block of real programs is G00 G40 with the way off the part,
+/// and leads back along Z (spec/haas-st 6.1, 6.3); in G71 to G73 the way back to the start point takes its place.
+void drop_departure(const BlockContext& m, Contour& contour) {
+  if (is_haas(m) && contour.pieces.size() > 1 && contour.pieces.back().kind == MotionKind::rapid) contour.pieces.pop_back();
+}
+
 Status rough_cycle(Interpreter& m, const Call& call) {
   const RepetitiveMemory& memory = fanuc_of(m).state.turning.repetitive;
   const RepetitiveSettings& settings = fanuc_of(m).settings.repetitive;
@@ -123,8 +142,10 @@ Status rough_cycle(Interpreter& m, const Call& call) {
   plan.back = memory.back.value_or(settings.back);
   plan.clearance = settings.clearance;
   if (!(plan.depth > 0)) return fail(alarm(AlarmId::figure_depth, call.where));
-  const auto contour = read_drawing(m, call);
+  auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
+  drop_departure(m, *contour);
+  KADR_TRY(check_side(m, contour->pieces, call));
   const AxisMask both = 1u << m.modal.axes.first | 1u << m.modal.axes.second;
   RoughFigure::Settings shape;
   shape.facing = call.row->arg == 72.7_g;
@@ -160,7 +181,9 @@ Status pattern_cycle(Interpreter& m, const Call& call) {
   if (plan.passes == 0) return fail(alarm(AlarmId::pattern_repeats, call.where));
   auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
+  drop_departure(m, *contour);
   if (contour->pieces.front().is_arc()) return figure_fault(FigureFault::first_block, contour->pieces.front().block, call);
+  KADR_TRY(check_side(m, contour->pieces, call));
   KADR_TRY(m.feed_known(call.where));
   const auto after = place_after(*contour);
   suspend_side(m);

@@ -7,6 +7,7 @@
 namespace kadr {
 class BlockContext;
 class Emitter;
+struct Call;
 }  // namespace kadr
 
 namespace kadr::fanuc {
@@ -18,6 +19,9 @@ double digits_of(const BlockContext& m, char letter);
 double step_of(const BlockContext& m, char letter);
 /// Checks that a word has no decimal point (spec/fanuc-t 1.4). alarms point_not_allowed (PS0007)
 Status no_point(const BlockContext& m, char letter);
+/// Checks the words of a thread's block on Fanuc's lathes: no corner (3.4), and Q without a decimal point (1.4).
+///   alarms  corner_in_thread (PS0050), point_not_allowed (PS0007)
+Status check_thread_words(const BlockContext& m, const Call& call);
 /// Returns the start angle of a thread in degrees: Q without a point counts 0.001° (spec/fanuc-t 8.1).
 double start_angle_of(const BlockContext& m);
 /// Returns the length of a thread's run-out in leads, which a parameter gives (spec/fanuc-t 8.4); 0 after M24 of a Haas (spec/haas-st 5).

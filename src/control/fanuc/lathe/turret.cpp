@@ -123,6 +123,15 @@ Status turret(Emitter& m, const Call& call) {
   return put_in_force(m, lengths_of(m, t));
 }
 
+void end_turret_offset(BlockContext& m) {
+  m.modal.lengths = {};
+  m.modal.corrector = m.modal.offset_number = m.modal.length_number = 0;
+  UndoableState& state = fanuc_of(m).state;
+  state.wear = {};
+  state.tool_radius = 0;
+  state.nose = 0;
+}
+
 namespace {
 
 /// A row of the table of turning tools, and which of its halves G10 sets. Row 0 stands for the shift of the work system.
@@ -163,7 +172,7 @@ Status set_turret_offset(Emitter& m, const Call& call) {
   if (place->number == 0) return set_work_shift(m, call);
   const auto [number, geometry] = *place;
   const auto q = m.has('Q') ? m.whole('Q', 0, 9) : Result<std::uint32_t>(0);
-  if (!q) return fail(q.error());
+  if (!q) return fail(alarm(AlarmId::offset_value, m.where('Q'), 'Q', m.value('Q')));
   ToolOffset& row = m.tables.offsets[number];
   m.journal.keep(row);
   const std::array<double*, 3> lengths = geometry ? std::array<double*, 3>{&row.length_x, &row.length_y, &row.length}

@@ -98,6 +98,7 @@ Status thread(Emitter& m, const Call& call) {
   if (m.has('F') && m.has('E')) return fail(alarm(AlarmId::thread_definition, call.where));
   for (const char letter : {'F', 'E'})
     if (m.has(letter) && !(m.value(letter) > 0)) return fail(alarm(AlarmId::thread_definition, m.where(letter)));
+  KADR_TRY(fanuc::check_thread_words(m, call));
   AxisMask named = 0;
   Axes to;
   KADR_TRY(m.target(to, named));

@@ -61,6 +61,8 @@ void read_lathe(Settings& s, const ParameterSource& p, const std::vector<std::st
   // The row of 1006#3 has one default for all axes, 1; only X is a diameter (spec/fanuc-t 1.3)
   for (std::size_t a = 0; a < names.size() && a < max_axes; ++a) s.axes[a].diameter = s.axes[a].diameter && names[a].starts_with('X');
   const auto on = [&](const char* meaning) { return p.value(meaning, 0) != 0; };
+  l.corners_without_comma = on("corners_without_comma");
+  l.offset_ends = on("offset_ends");
   l.offset_one_digit = on("offset_one_digit");
   l.geometry_by_tool = on("geometry_by_tool");
   l.wear_shifts = on("wear_shifts");

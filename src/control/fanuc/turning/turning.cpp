@@ -220,6 +220,7 @@ Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& memory = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
   if (!lead) return fail(lead.error());
+  KADR_TRY(check_thread_words(m, call));
   suspend_side(m);
   const Vec2 s = plane_point(m), t{memory.target[0], memory.target[1]};
   const SinCos out = sincos_deg(fanuc_of(m).settings.lathe.run_out_angle);

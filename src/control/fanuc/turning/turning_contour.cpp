@@ -8,6 +8,7 @@
 
 #include "action/by_kind.h"
 #include "control/fanuc/fanuc.h"
+#include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/lathe/figure_block.h"
 #include "control/fanuc/turning/turning_plane.h"
 #include "control/fanuc/words/coordinates.h"
@@ -162,6 +163,7 @@ class Reader {
     if (block_.statement.kind != StatementKind::none) return shape();
     m_.block = &block_;
     if (const Status values = m_.evaluate_words(); !values) return unread(values.error());
+    take_corner_letters(m_);
     const CodeRow* motion = nullptr;
     for (std::uint32_t i = 0; i < block_.word_count; ++i)
       if (const Word& w = block_.words[i]; w.address != 0) KADR_TRY(word(w, motion));

@@ -66,6 +66,8 @@ Axes transformed(const BlockContext& m, const Axes& programmed);
 /// virtual plane.
 Axes before_transform(const BlockContext& m);
 void finish_surface(BlockContext& m, Motion& motion, const Axes& from);
+/// Checks that no tool radius is compensated on a surface, which Kadr cannot do. alarms not_available
+Status uncompensated_surface(const BlockContext& m);
 /// Gives the motion a MotionDetail that no other motion shares, and returns this MotionDetail, so that the caller can change it.
 MotionDetail& detail_of(BlockContext& m, Motion& motion);
 /// Returns the index of the first axis of the channel with this role (1, 2, 3 mean X, Y, Z), or -1.

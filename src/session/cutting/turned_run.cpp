@@ -1,0 +1,92 @@
+// Runs a lathe's program that cuts a blank. Used by cli/cut_turned; tested by tests/run_cut.py.
+
+#include "session/cutting/turned_run.h"
+
+#include "out/text/cut_text.h"
+
+namespace kadr {
+namespace {
+
+AxisRoles lathe_roles(const Control& control) { return AxisRoles::of(control.axes(), control.rotary()); }
+
+TimeEstimate lathe_clock(const Session& session) {
+  const Channel& own = session.channels()[session.own()];
+  return TimeEstimate(lathe_roles(*own.control), rates_of(session.machine(), own.setup, own.control->axes()));
+}
+
+TurnedJob with_offsets(TurnedJob job, std::function<ToolOffset(std::uint32_t)> offset_now) {
+  job.offset_now = std::move(offset_now);
+  return job;
+}
+
+}  // namespace
+
+TurnedRun::TurnedRun(Session& session, const CutJob& cut, TurnedJob turned)
+    : session_(session),
+      cutting_(cut, with_offsets(std::move(turned), [this](std::uint32_t row) { return offset_now(row); }), lathe_roles(session.control())),
+      clock_(lathe_clock(session)) {
+  cutting_.on_finding = [this](const CutFinding& f) {
+    if (on_finding) on_finding(f, session_.settled_control().report_for(alarm_of(f), f.origin));
+  };
+}
+
+/// Returns the row as the program and the set-up have left it: the control may be some blocks ahead of the step.
+ToolOffset TurnedRun::offset_now(std::uint32_t row) const {
+  const Setup tables = session_.settled_control().tables_now();
+  const auto found = tables.offsets.find(int(row));
+  return found == tables.offsets.end() ? ToolOffset() : found->second;
+}
+
+void TurnedRun::on_block(std::function<void(const BlockLoad&)> take) {
+  cutting_.on_block = [this, take = std::move(take)](const BlockLoad& load) {
+    BlockLoad reported = load;
+    name_program(reported);
+    take(reported);
+  };
+}
+
+void TurnedRun::attach(const StopToken& stop, ProgressDisplay* progress_display) {
+  const bool planned = session_.look_ahead().has_value();
+  Outlets& outlets = session_.outlets();
+  outlets.warning = [this](const AlarmReport& report) { take(report); };
+  outlets.alarm = [this](const AlarmReport& report) {
+    take(report);
+    return false;
+  };
+  outlets.progress_display = progress_display;
+  outlets.clock = &clock_;
+  outlets.stop = stop;
+  outlets.works_long = true;
+  if (planned) outlets.timed = [this](const Step& step, double longer) { consume(step, longer); };
+  outlets.step = [this, planned](const Step& step) {
+    if (!planned) consume(step, 0);
+  };
+  session_.change_outlets();
+}
+
+CutResult TurnedRun::result() const {
+  CutResult result = cutting_.result();
+  for (CutFinding& f : result.collisions) name_program(f), f.calls = session_.settled_control().calls_of(f.origin);
+  for (BlockLoad& load : result.heaviest) name_program(load);
+  for (AirCut& air : result.emptiest) name_program(air);
+  for (ThreadCut& thread : result.threads) name_program(thread);
+  for (TurnedResult::LeftOut& left : result.turned->left_out) name_program(left);
+  return result;
+}
+
+void TurnedRun::consume(const Step& step, double longer) {
+  const MachineTime time{step.begins + later_, step.time.seconds + longer};
+  later_ += longer;
+  if (without_shape_) return;
+  if (const Status taken = cutting_.consume(step, time); !taken) {
+    without_shape_ = true;
+    take(session_.settled_control().report_for(taken.error(), step.action.origin));
+  }
+}
+
+void TurnedRun::take(const AlarmReport& report) {
+  if (report.alarm.severity != Severity::note) ++(report.alarm.severity == Severity::alarm ? alarms_ : warnings_);
+  if (on_report) on_report(report);
+}
+
+}  // namespace kadr

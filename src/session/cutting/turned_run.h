@@ -1,0 +1,55 @@
+#pragma once
+// TurnedRun: runs a lathe's program that cuts a blank. It passes the steps of a session to TurnedCutting, and the findings to the caller.
+// It is used by cli/cut_turned.
+//
+//   TurnedRun run(session, job, {blank, fixtures, {}});
+//   run.attach(stop);       // connects the run to the session's outlets
+//   …                       // the caller runs the session
+//   run.finish();
+//   run.cutting().stock()   // the remaining part
+
+#include <functional>
+
+#include "session/cutting/turned_cutting.h"
+#include "session/session.h"
+
+namespace kadr {
+
+class TurnedRun {
+ public:
+  /// `session` must outlive the TurnedRun object. The function `offset_now` of `turned` is set here.
+  TurnedRun(Session& session, const CutJob& cut, TurnedJob turned);
+  TurnedRun(const TurnedRun&) = delete;  // not copyable: the session has a pointer to this object
+
+  /// Functions of the caller, as those of CutRun: they receive the reports of the program and the findings of the cut.
+  std::function<void(const AlarmReport&)> on_report;
+  std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
+  void on_block(std::function<void(const BlockLoad&)> take);
+
+  /// Makes this object the observer of the session.
+  void attach(const StopToken& stop, ProgressDisplay* progress_display = nullptr);
+  /// Declares that no step follows.
+  void finish() { cutting_.finish(); }
+
+  const TurnedCutting& cutting() const { return cutting_; }
+  /// Returns the result with the names of the program files, and with the calls that led to the block of each finding.
+  CutResult result() const;
+  std::size_t alarms() const { return alarms_; }
+  std::size_t warnings() const { return warnings_; }
+
+ private:
+  std::string program_of(std::uint16_t file) const { return file == 0 ? std::string() : session_.settled_control().file_name(file); }
+  void name_program(auto& of) const { of.program = program_of(of.origin.file); }
+  ToolOffset offset_now(std::uint32_t row) const;
+  void consume(const Step& step, double longer);
+  void take(const AlarmReport& report);
+
+  Session& session_;
+  TurnedCutting cutting_;
+  TimeEstimate clock_;
+  double later_ = 0;  // delay of the machine's real time compared with the programmed time, s
+  std::size_t alarms_ = 0, warnings_ = 0;
+  bool without_shape_ = false;  // true: the form of a tool is unknown, so cutting has stopped
+};
+
+}  // namespace kadr
