@@ -29,7 +29,7 @@ PROGRAMS = {
              {'linuxcnc': 'G2 G3 I5. K-5.', 'nct': 'G2 G3', 'haas-st': 'G2 G3', 'fanuc-t': 'G2 G3'}),
     'two tools and their offsets': ('fanuc-t', 'T0101\nG97 S900 M3\nG0 X40. Z2.\nG1 Z-5. F0.2\nG0 X80. Z50.\nT0100\nT0303\nG0 X30. Z1.\nT0304\nG1 Z-2. F0.1\nG0 X80.\nM30\n',
                                     {'linuxcnc': 'T3 M6 G43', 'nct': 'G43.7', 'haas-st': 'T0101 T0303 T0304', 'fanuc-t': 'T0101 T0303 T0304'}),
-    'surface speed with its limit': ('fanuc-t', 'T0101\nG50 S2500\nG96 S180 M3\nG0 X40. Z2.\nG1 Z-5. F0.2\nG97 S600\nX60.\nM30\n',
+    'surface speed with its limit': ('fanuc-t', 'T0101\nG50 S2500\nG96 S180 M3\nG0 X40. Z2.\nG1 Z-5. F0.2\nG97 S600\nX60.\nG96 S150\nG0 X70.\nG1 Z-9. F0.2\nM30\n',
                                      {'linuxcnc': 'G96 D2500 G97', 'nct': 'G92 S2500', 'haas-st': 'G50 S2500', 'fanuc-t': 'G50 S2500'}),
     'feed per minute': ('fanuc-t', 'T0101\nG97 S500 M3\nG98\nG0 X40. Z2.\nG1 Z-5. F120.\nG99 X44. F0.15\nG98 G1 Z-6. F50.\nM30\n',
                         {'linuxcnc': 'G94 G95', 'nct': 'G94 G95', 'haas-st': 'G98 G99', 'fanuc-t': 'G98 G99'}),

@@ -140,15 +140,17 @@ Status FlatProgram::thread(const Motion& motion) {
 /// (spec/fanuc-t 6, nct 11.5.2, spec/linuxcnc 7.9).
 Status FlatProgram::surface_limit(const SurfaceSpeed& law) {
   if (law.number != 1) return {};
-  if (!law.on && std::exchange(surface_, false)) KADR_TRY(constant_speed());
-  const double most = law.most < SurfaceSpeed::no_limit ? law.most : 0;
-  if (most == written_most_rpm_) return {};
   const CodeRow* const row = limit_code(blocks_.def());
   const bool by_word = row_that_does(blocks_.def(), {{Function::surface_speed_limited, 0}}) != nullptr;
-  if (row == nullptr && by_word && !law.on) return {};  // the next G96 states the limit
+  if (!law.on) {
+    if (by_word) written_most_rpm_ = 0;  // G97 ends the limit, so the next G96 states it again
+    return std::exchange(surface_, false) ? constant_speed() : Status();
+  }
+  const double most = law.most < SurfaceSpeed::no_limit ? law.most : 0;
+  if (most == written_most_rpm_) return {};
   if (!by_word && (row == nullptr || most == 0)) return no_code("surface_speed");
   KADR_TRY(end_block());
-  surface_ = surface_ || (row == nullptr && law.on);
+  surface_ = surface_ || row == nullptr;
   written_most_rpm_ = most;
   if (row != nullptr) {
     blocks_.text(with_digits(blocks_.def(), *row));
@@ -156,6 +158,7 @@ Status FlatProgram::surface_limit(const SurfaceSpeed& law) {
   } else {
     KADR_TRY(blocks_.code({{Function::surface_speed_limited, 0}}));
     if (most != 0) KADR_TRY(blocks_.word('D', most));
+    if (law.metres == 0) return {};  // the S word of the same block follows as an action of its own
     KADR_TRY(blocks_.word('S', law.metres));
   }
   return end_block();
