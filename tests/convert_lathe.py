@@ -155,6 +155,21 @@ def nose_radius(kadr, folder, known):
     expect(bare.outcome == 'refused', f'a radius that no set-up states: {bare.outcome}')
 
 
+OF_NCT = 'G18 G90 G21 G95\nT1 M6\nG43.7 H1\nG97 S500 M3\nG0 X40. Z2.\nG1 Z-5. F0.2\nG2 X50. Z-10. I5. K0\nG0 X60.\nM30\n'
+
+
+def diameters_of_nct(kadr, folder):
+    """A turning program of the NCT, whose set-up states the diameter and the turning table, becomes one of a lathe."""
+    file, setup = folder / 'of_nct.nct', folder / 'of_nct.json'
+    file.write_text(OF_NCT, encoding='utf-8')
+    setup.write_text(json.dumps({'axes': ['X', 'Z'], 'diameter': {'X': True}, 'parameters': {'N1416#2': 1}}), encoding='utf-8')
+    one = pairs.convert(kadr, 'nct', file, 'fanuc-t', folder / 'of_nct_made.nc', setup)
+    made = one.out.read_text(encoding='utf-8').split() if one.proven() else []
+    expect(one.proven() and all(word in made for word in ('T0101', 'G99', 'X50.', 'I5.')), f'NCT to fanuc-t: {one.outcome} {one.said} {made}')
+    if one.proven():
+        held(kadr, one, random.Random(1), folder, 2)
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument('--kadr', required=True, type=Path)
@@ -180,6 +195,7 @@ def main():
         pairs.all_of(lambda one: held(given.kadr, one, random.Random(f'{given.seed} {one.name()}'), folder, given.states), proven, given.jobs)
         pairs.all_of(lambda one: mistakes(given.kadr, one, folder, counts), proven, given.jobs)
         expect(set(counts) == set(MISTAKES), f'mistakes that no text had: {set(MISTAKES) - set(counts)}')
+        diameters_of_nct(given.kadr, folder)
         nose_radius(given.kadr, folder, known)
         print(f'{len(proven)} proven, {len(counts)} mistakes found', file=sys.stderr)
     return result()
