@@ -49,7 +49,8 @@ std::optional<Kind> first_difference(const CourseState& a, const CourseState& b,
   if (!at_speed && (a.unit != b.unit || !(is_same(a.feed, b.feed) || is_rounded(a.feed, b.feed, rules.feed_step)))) return Kind::feed;
   if (!is_same(a.lead, b.lead)) return Kind::feed;
   if (a.tool != b.tool) return Kind::tool;
-  if (a.spindle != b.spindle || a.surface != b.surface || !is_same(a.speed, b.speed)) return Kind::spindle;
+  if (a.spindle != b.spindle || a.surface != b.surface || !is_same(a.speed, b.speed) || !is_same(a.most_rpm, b.most_rpm))
+    return Kind::spindle;
   if (a.coolant != b.coolant) return Kind::coolant;
   if (!is_same(a.tolerance, b.tolerance) || a.corners != b.corners || a.smoothing != b.smoothing) return Kind::corners;
   return std::nullopt;

@@ -90,6 +90,7 @@ void Course::take(const Step& step) {
   const bool turns = state_.spindle == SpindleDir::cw || state_.spindle == SpindleDir::ccw;
   state_.speed = turns ? rpm_ : 0;
   state_.surface = turns && surface_;
+  state_.most_rpm = state_.surface ? most_rpm_ : 0;
 }
 
 void Course::take_switch(const Step& step) {
@@ -99,11 +100,19 @@ void Course::take_switch(const Step& step) {
       [&](const Spindle& turned) {
         if (turned.number != 1) return take_event(step, Kind::other, double(turned.dir), "spindle " + std::to_string(turned.number));
         state_.spindle = turned.dir;
-        if (turned.rpm != 0) rpm_ = turned.rpm, surface_ = false;
+        // with constant surface speed, M3 reports the spindle speed at this position, which is no commanded speed
+        if (turned.rpm != 0 && !surface_) rpm_ = turned.rpm;
       },
       [&](const Speed& speed) {
         if (speed.number != 1) return take_event(step, Kind::other, speed.value, "speed " + std::to_string(speed.number));
         rpm_ = speed.value, surface_ = speed.surface;
+      },
+      [&](const SurfaceSpeed& law) {
+        if (law.number != 1) return;
+        if (law.on) rpm_ = law.metres;
+        else if (surface_) rpm_ = 0;  // the spindle keeps a speed that depends on the position of the axis
+        surface_ = law.on;
+        most_rpm_ = law.most < SurfaceSpeed::no_limit ? law.most : 0;
       },
       [&](const CoolantSwitch& coolant) { state_.coolant = coolant.what; },
       [&](const ToolChange& change) {
@@ -121,7 +130,7 @@ void Course::take_switch(const Step& step) {
       [&](const FrameChange& frame) { frame_zero_ = work_origin_of(chain_, frame.placement); },
       [&](const Couple& couple) { take_event(step, Kind::other, couple.ratio, "couple " + couple.slave); },
       [&](const Uncouple& uncouple) { take_event(step, Kind::other, 0, "uncouple " + uncouple.slave); },
-      ignores<Motion, ToolSelect, SurfaceSpeed, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>);
+      ignores<Motion, ToolSelect, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
 void Course::take_function(const Step& step, std::uint32_t code) {
@@ -162,7 +171,7 @@ void Course::take_event(const Step& step, CourseEvent::Kind kind, double value, 
   item.state = state_;
   // At a tool change, spindle and coolant count as off, because it depends on the machine whether they stop
   if (kind == CourseEvent::Kind::tool) {
-    item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false;
+    item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false, item.state.most_rpm = 0;
     item.state.coolant = Coolant::off;
     if (tools_by_hand_) kind = CourseEvent::Kind::stop, value = 0;
   }

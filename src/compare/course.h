@@ -77,7 +77,7 @@ class Course {
   PathModes modes_;
   std::map<std::uint32_t, CodeMeaning> codes_;
   std::optional<Origin> exact_end_;  // origin of a motion with an exact stop that has just ended; nullopt: there is none
-  double rpm_ = 0;
+  double rpm_ = 0, most_rpm_ = 0;  // rpm_: speed commanded last, rev/min, or m/min if surface_ is true; most_rpm_: as CourseState::most_rpm
   bool surface_ = false;
   Axes start_{}, shift_{};
   CourseItem end_;

@@ -23,6 +23,7 @@ struct CourseState {
   SpindleDir spindle = SpindleDir::stop;
   bool surface = false;  // true if constant surface speed is in force: `speed` is then in m/min
   double speed = 0;      // speed of the rotating spindle, rev/min; m/min if `surface`
+  double most_rpm = 0;   // highest spindle speed, rev/min, if `surface`; 0: no limit
   Coolant coolant = Coolant::off;
   double tolerance = 0;  // greatest rounding of corners, mm (G64 P)
   CornerSpeed corners = CornerSpeed::limited;

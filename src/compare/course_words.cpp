@@ -27,6 +27,8 @@ std::string words_of_state(const CourseState& s, CourseDifference::Kind of) {
     case Kind::tool: return fmt::format("T{}", s.tool);
     case Kind::spindle:
       if (s.speed == 0) return spindles[std::size_t(s.spindle)];
+      if (s.surface && s.most_rpm != 0)
+        return translated(texts::comparison::surface_speed_limited, s.speed, spindles[std::size_t(s.spindle)], s.most_rpm);
       return s.surface ? translated(texts::comparison::surface_speed, s.speed, spindles[std::size_t(s.spindle)])
                        : fmt::format("S{:.6g} {}", s.speed, spindles[std::size_t(s.spindle)]);
     case Kind::corners:

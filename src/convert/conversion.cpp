@@ -54,8 +54,15 @@ class Writing {
       outlets.step = [this](const Step& step) { take(step.action); };
     }
     note(flat.begin(session_->stand(), control.placement()));
+    // Before a block the control is in the state after the previous block, which may have selected other offsets without an action
+    if (is_lathe(*spec_.to))
+      control.holds_before = [&](const Origin&) {
+        if (!made_.cannot_express) note(flat.note_offsets(offsets_of(control, session_->def())));
+        return false;
+      };
     while (!made_.cannot_express && session_->go_on() == Session::State::running) {
     }
+    control.holds_before = nullptr;
     if (!made_.cannot_express) note(flat.finish());
     made_.counts_from = flat.counts_from();
     for (const std::string& comment : comments_.rest())
@@ -81,7 +88,7 @@ class Writing {
         may_change = comments_.names_rows();
       }
       // Reading the offsets takes longer than the block itself, so they are read only after a change
-      if (may_change || has_changed_) now_ = offsets_of(session_->control());
+      if (may_change || has_changed_) now_ = offsets_of(session_->control(), session_->def());
       has_changed_ = may_change;
       if (origin.has_block && origin.file == 0 && origin.line != numbered_) blocks_.set_number(origin.block);
       numbered_ = origin.line;
@@ -209,6 +216,7 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   if (const auto fault = MachineCodes(opened->def(), *spec.to).fault()) return tl::unexpected(sentence_of(*fault));
   const ProgramShape shape(spec.source_text, opened->def(), spec.stop);
   const CodeMatch match(opened->def(), *spec.to);
+  all.wear_is_zero = turns(opened->def(), *spec.to) && !wears_alike(opened->def(), *spec.to);
   const PathModes there = path_modes_of(*spec.to);
   for (const std::size_t row : shape.path_modes()) {
     const CodeRow& code = opened->def().codes[row];
@@ -233,6 +241,11 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
        {ConvertedAs::as_it_stands, ConvertedAs::words, ConvertedAs::contours, ConvertedAs::lengths, ConvertedAs::plain}) {
     if (spec.flat && (as == ConvertedAs::as_it_stands || as == ConvertedAs::words)) continue;
     if (spec.only && as != *spec.only) continue;
+    if (as == ConvertedAs::words && is_lathe(opened->def()) != is_lathe(*spec.to)) {
+      ConversionTry& one = all.tries.emplace_back();
+      one.as = as, one.cannot_express = alarm(AlarmId::function_has_no_code, {}, "T0101");
+      continue;
+    }
     auto one = one_try(spec, as, shape, proving);
     if (!one) return tl::unexpected(one.error());
     if (one->is_proven()) {

@@ -87,6 +87,8 @@ struct Converted {
   /// Codes that are not compared. path_modes: codes of the program, for smoothing and the like, that expanded blocks cannot express; also
   /// exact stops if the target control has none. path_modes_unknown: codes that the target control does not have at all.
   std::vector<std::string> path_modes, path_modes_unknown;
+  // True: one of the controls is that of a lathe, and the proof takes the wear of tools that the set-up does not state as 0 (wears_alike())
+  bool wear_is_zero = false;
   bool tools_by_hand = false;  // the target control has no tool change code: the program stops, and the operator changes the tool
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup : setup; }
   std::optional<std::size_t> taken;  // index, in `tries`, of the text that is used; nullopt: the conversion is refused

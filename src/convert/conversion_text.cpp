@@ -97,6 +97,7 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
   if (one.proof.feeds_at_speed) notes.push_back(translated(texts::conversion::feeds_per_minute));
   if (one.proof.feeds_rounded) notes.push_back(translated(texts::conversion::feeds_rounded));
   if (one.proven_states == std::size_t{0}) notes.push_back(translated(texts::conversion::unstated_is_zero));
+  if (made.wear_is_zero) notes.push_back(translated(texts::conversion::wear_is_zero));
   if (one.zero_by_operator) notes.push_back(translated(texts::conversion::zero_on_machine));
   if (one.transliterated != 0) notes.push_back(translated(texts::conversion::other_letters, one.transliterated));
   std::vector<std::string> lost = one.as == ConvertedAs::as_it_stands ? std::vector<std::string>()

@@ -24,6 +24,8 @@ class Values {
   double zero(const std::string& axis) { return axis == "Z" ? -between(1000, 3000) / 10 : -between(500, 4500) / 10; }
   double length() { return between(400, 1600) / 10; }
   double radius() { return between(10, 60) / 100; }
+  double wear() { return between(-30, 30) / 100; }
+  double tip() { return between(1, 9); }
   double reference() { return between(-200, 200) / 10; }
 
  private:
@@ -36,8 +38,9 @@ class Values {
 
 class Filler {
  public:
-  Filler(const Setup& given, const ControlDef& def, const std::vector<std::string>& axes, const ProgramNames& names, std::uint32_t seed)
-      : def_(def), known_(&def, axes, axes), names_(names), values_(seed) {
+  Filler(const Setup& given, const ControlDef& def, const ControlDef& to, const std::vector<std::string>& axes, const ProgramNames& names,
+         std::uint32_t seed)
+      : def_(def), known_(&def, axes, axes), names_(names), turns_(turns(def, to)), wears_(wears_alike(def, to)), values_(seed) {
     state_.setup = given;
     for (const std::string& axis : axes)
       if (axis == "X" || axis == "Y" || axis == "Z") axes_.push_back(axis);
@@ -84,7 +87,15 @@ class Filler {
       if (state_.setup.correctors.contains(number)) continue;  // the set-up states this row already, as a corrector
       const auto [at, is_open] = state_.setup.offsets.try_emplace(number);
       if (is_open) at->second.length = values_.length(), at->second.radius = values_.radius();
+      if (is_open && turns_) fill_turning(at->second);
     }
+  }
+
+  /// Fills in what only turning tools have. The wear stays as the set-up states it unless both controls put it into force in the same way.
+  void fill_turning(ToolOffset& offset) {
+    offset.length_x = -values_.length();
+    offset.tip_position = values_.tip();
+    if (wears_) offset.length_x_wear = values_.wear(), offset.length_wear = values_.wear(), offset.radius_wear = values_.wear() / 10;
   }
 
   void references() {
@@ -101,16 +112,18 @@ class Filler {
   const SetupNamesOf known_;
   const ProgramNames& names_;
   std::vector<std::string> axes_;
+  // turns_: one of the two controls is that of a lathe; wears_: both put the wear of a tool into force in the same way
+  const bool turns_, wears_;
   Values values_;
   OpenState state_;
 };
 
 }  // namespace
 
-std::vector<OpenState> open_states(const Setup& given, const ControlDef& def, const std::vector<std::string>& axes,
+std::vector<OpenState> open_states(const Setup& given, const ControlDef& def, const ControlDef& to, const std::vector<std::string>& axes,
                                    const ProgramNames& names, int count) {
   std::vector<OpenState> states;
-  for (int i = 0; i < count; ++i) states.push_back(Filler(given, def, axes, names, first_seed + std::uint32_t(i)).fill());
+  for (int i = 0; i < count; ++i) states.push_back(Filler(given, def, to, axes, names, first_seed + std::uint32_t(i)).fill());
   return states;
 }
 

@@ -21,9 +21,10 @@ struct OpenState {
 
 /// Returns `count` states in which the program may start. Each call returns the same states. No two table rows have the same value; lengths
 /// are multiples of 0.1 mm, radii of 0.01 mm.
+///   def, to  source control and target control; if one of them is that of a lathe, tools also get lengths along X and numbers of tips
 ///   axes   axis names of the program; X, Y and Z get values
 ///   tools  tool numbers that the program contains
-std::vector<OpenState> open_states(const Setup& given, const ControlDef& def, const std::vector<std::string>& axes,
+std::vector<OpenState> open_states(const Setup& given, const ControlDef& def, const ControlDef& to, const std::vector<std::string>& axes,
                                    const ProgramNames& names, int count);
 
 }  // namespace kadr

@@ -27,7 +27,7 @@ Proving::Proving(const ConversionSpec& spec, const Session& opened, const Progra
       given_(opened.setup()),
       setup_(corresponding_setup(given_, from_, *spec.to, names_, false)),
       plain_setup_(corresponding_setup(given_, from_, *spec.to, names_, true)),
-      states_(open_states(given_, from_, opened.control().axes(), names_, other_states)) {
+      states_(open_states(given_, from_, *spec.to, opened.control().axes(), names_, other_states)) {
   if (Setup elsewhere = given_; probe_elsewhere(elsewhere)) elsewhere_ = std::move(elsewhere);
   witnesses_.push_back(states_.front().setup);
   if (elsewhere_) witnesses_.push_back(*elsewhere_);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "convert/source_setup.h"
 #include "lang/text/line_reader.h"
 #include "texts/conversion.h"
 
@@ -154,7 +155,8 @@ class Rewriter {
 
   /// Writes the modes that most controls have at power-on, because the target control may have other modes at power-on.
   void begin_modes() {
-    blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
+    if (is_lathe(*spec_.to)) blocks_.code_if_there({{Function::plane_zx, any_argument}, {Function::select_plane, 18}});
+    else blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
     blocks_.code_if_there({{Function::absolute, any_argument}});
     (void)blocks_.end();
     blocks_.code_if_there({{Function::millimetre, any_argument}});

@@ -4,6 +4,7 @@
 #include "convert/source_setup.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -31,6 +32,32 @@ std::map<int, AxisValues> zeros_of(const Setup& setup, const ControlDef& def) {
   return zeros;
 }
 
+/// Returns the number of the imaginary tip of a turning tool on LinuxCNC, for its number on other controls, or the reverse. LinuxCNC draws
+/// the tips with X pointing down, so the two numbers differ by a mirror image in X (spec/fanuc-t 7.1).
+double mirrored_tip(double tip) {
+  constexpr std::array<int, 10> numbers{0, 4, 3, 2, 1, 5, 8, 7, 6, 9};
+  return tip >= 0 && tip < double(numbers.size()) ? numbers[static_cast<std::size_t>(tip)] : tip;
+}
+
+/// N1416 #2 TOL of the NCT: the offset table has the lengths of turning tools (nct 15.4).
+ParameterKey turning_table_bit() { return {"1416", "", "2"}; }
+
+/// Returns the row of the target control's offset table that moves the machine like this row of the source control. A lathe has geometry
+/// and wear of each axis; the other controls have one value, their sum. The NCT states the length along a diameter axis as a diameter (nct
+/// 5.3).
+ToolOffset offset_there(const ToolOffset& offset, const Setup& setup, const ControlDef& from, const ControlDef& to) {
+  if (is_lathe(from) == is_lathe(to)) return offset;
+  ToolOffset sum;
+  sum.length = offset.whole_length(), sum.radius = offset.whole_radius();
+  sum.length_x = offset.length_x + offset.length_x_wear, sum.length_y = offset.length_y + offset.length_y_wear;
+  const bool mirrors = from.has_parameter_file() != to.has_parameter_file();
+  const auto x = setup.diameter.find("X");
+  if (turning_length_code(to) != nullptr) sum.length_x *= 2;
+  if (turning_length_code(from) != nullptr && x != setup.diameter.end() && x->second) sum.length_x /= 2;
+  sum.tip_position = mirrors ? mirrored_tip(offset.tip_position) : offset.tip_position;
+  return sum;
+}
+
 bool has_systems(const ControlDef& def) { return std::any_of(def.codes.begin(), def.codes.end(), is_system); }
 
 /// The axes that the target machine has. Filters tables by the names of these axes.
@@ -51,12 +78,13 @@ class KnownAxes {
 /// Returns the axes that the program needs, if set-ups of the target control list the axes of the machine; else an empty list.
 std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names) {
   if (!to.machine_axes()) return {};
-  if (from.machine_axes()) return setup.axes;
-  std::vector<std::string> axes = {"X", "Y", "Z"};
+  if (from.machine_axes() && (is_lathe(from) || !is_lathe(to) || !setup.axes.empty())) return setup.axes;
+  std::vector<std::string> axes = {"X", "Z"};
+  if (!is_lathe(to)) axes.insert(axes.begin() + 1, "Y");
   for (const std::string& axis : from.axes)
     if (axis.size() == 1 && (names.letters >> (axis.front() - 'A') & 1U) != 0 && std::find(axes.begin(), axes.end(), axis) == axes.end())
       axes.push_back(axis);
-  return axes.size() > 3 ? axes : std::vector<std::string>();
+  return axes.size() > 3 || is_lathe(to) ? axes : std::vector<std::string>();
 }
 
 /// Copies the spindles into the new set-up. If the target control's set-up describes its spindles, all are copied; otherwise only speed and
@@ -74,7 +102,8 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
                  const ProgramNames& names) {
   const SetupNamesOf known(&to, to.axes, to.axes);
   for (const auto& [number, offset] : setup.offsets)
-    if (allows_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number))) made.offsets[number] = offset;
+    if (allows_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number)))
+      made.offsets[number] = offset_there(offset, setup, from, to);
   // M6 and G43 look the tool up in a tool table, so each offset needs a row there (spec/linuxcnc 5)
   if (to.has_parameter_file() && !made.offsets.empty())
     for (const std::uint32_t tool : names.tools)
@@ -96,12 +125,25 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
 
 }  // namespace
 
+bool is_lathe(const ControlDef& def) { return def.behaviour.lathe != Lathe::none; }
+
+bool turns(const ControlDef& from, const ControlDef& to) { return is_lathe(from) || is_lathe(to); }
+
+const CodeRow* turning_length_code(const ControlDef& def) {
+  constexpr int turning = 437;
+  const bool has_table = std::any_of(def.parameters.begin(), def.parameters.end(),
+                                     [](const ParameterRow& row) { return row.name == turning_table_bit().name; });
+  return is_lathe(def) || !has_table ? nullptr : row_that_does(def, {{Function::length_comp, turning}});
+}
+
+bool wears_alike(const ControlDef& from, const ControlDef& to) { return is_lathe(to) && from.behaviour.lathe == to.behaviour.lathe; }
+
 bool allows_key(const ControlDef& def, const char* key) {
   const nlohmann::json table = {{key, nlohmann::json::object()}};
   return !fault_of(table, table, &def);
 }
 
-OffsetsInForce offsets_of(const Control& control) {
+OffsetsInForce offsets_of(const Control& control, const ControlDef& def) {
   OffsetsInForce now;
   const auto number_in = [](const std::string& word) { return std::uint32_t(std::strtoul(word.c_str() + 1, nullptr, 10)); };
   // The words D and H in force are read from state_now(), not from in_force(), which also returns the variables, of which there may be
@@ -109,15 +151,22 @@ OffsetsInForce offsets_of(const Control& control) {
   for (const std::string& word : control.state_now().modal) {
     if (word.front() == 'D') now.radius_number = number_in(word);
     if (word.front() == 'H') now.length_number = number_in(word);
-    if (word == "G43" || word == "G44") now.length_sign = word == "G43" ? 1 : -1;
+    if (word == "G43" || word == "G44" || word == "G43.7") now.length_sign = word == "G44" ? -1 : 1;
   }
   if (now.length_number == 0) now.length_number = now.radius_number;
+  if (is_lathe(def)) now.length_sign = now.length_number != 0 ? 1 : 0;  // the T word puts the offset into force
   return now;
 }
 
 FlatSource flat_source_of(const Session& session, const ControlDef& to) {
   FlatSource source{session.control().axes(), {}, has_systems(session.def()), shows_same_messages(session.def(), to)};
   source.systems = system_names(to);
+  source.turns = turns(session.def(), to);
+  const auto has_thread = [](const ControlDef& def) { return row_that_does(def, {{Function::thread, 0}}) != nullptr; };
+  source.same_threads = has_thread(session.def()) && has_thread(to);
+  source.turning_length = is_lathe(session.def()) ? turning_length_code(to) : nullptr;
+  const bool has_diameters = row_that_does(to, {{Function::diameter_mode, 1}}) != nullptr || turning_length_code(to) != nullptr;
+  source.diameters = is_lathe(to) || (is_lathe(session.def()) && has_diameters);
   const MachineCodes codes(session.def(), to);
   for (const auto& [here, there] : codes.pairs()) {
     source.machine_codes[here] = there;
@@ -133,9 +182,9 @@ FlatSource flat_source_of(const Session& session, const ControlDef& to) {
 }
 
 bool changes_tools(const ControlDef& def) {
-  return row_that_does(
-             def, {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}) !=
-         nullptr;
+  return is_lathe(def) || row_that_does(def, {{Function::change_tool, any_argument},
+                                              {Function::exchange_tool, any_argument},
+                                              {Function::load_tool, any_argument}}) != nullptr;
 }
 
 bool probe_elsewhere(Setup& setup) {
@@ -166,6 +215,11 @@ bool reports_optional_stops(const ControlDef& def) {
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain) {
   Setup made;
   made.axes = axes_for(setup, from, to, names);
+  if (is_lathe(from) && turning_length_code(to) != nullptr) {
+    if (made.axes.empty()) made.axes = {"X", "Z"};
+    made.diameter["X"] = true;
+    made.parameters[turning_table_bit()] = 1.0;
+  }
   const KnownAxes axes(to, made.axes);
   made.start = axes.of(setup.start), made.start_in_work = setup.start_in_work;
   for (const auto& [axis, limits] : setup.machine)
@@ -221,13 +275,19 @@ std::string setup_text(const Setup& setup) {
     for (const auto& [name, value] : {std::pair{"length", offset.length},
                                       {"length_wear", offset.length_wear},
                                       {"radius", offset.radius},
-                                      {"radius_wear", offset.radius_wear}})
+                                      {"radius_wear", offset.radius_wear},
+                                      {"length_x", offset.length_x},
+                                      {"length_x_wear", offset.length_x_wear},
+                                      {"length_y", offset.length_y},
+                                      {"length_y_wear", offset.length_y_wear},
+                                      {"tip_position", offset.tip_position}})
       if (value != 0) row[name] = value;
   }
   for (const auto& [name, value] : setup.variables)
     all["variables"][name] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
   for (const auto& [key, value] : setup.parameters)
     if (const double* const number = std::get_if<double>(&value)) all["parameters"][text_of(key)] = *number;
+  for (const auto& [axis, on] : setup.diameter) all["diameter"][axis] = on;
   put_probe(all, setup);
   if (setup.tool != 0) all["tool"] = setup.tool;
   if (!setup.skip.empty()) all["skip"] = setup.skip;

@@ -18,6 +18,17 @@ namespace kadr {
 ///   plain  true: leave out the tables, because the converted program has all offsets applied to its coordinates
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain);
 
+/// True if the control is that of a lathe: T has an offset for each axis, and X is a diameter.
+bool is_lathe(const ControlDef& def);
+/// True if one of the two controls is that of a lathe.
+bool turns(const ControlDef& from, const ControlDef& to);
+/// Returns the code that puts the lengths of a turning tool along all axes into force (G43.7 of the NCT, nct 15.4); nullptr if the control
+/// is a lathe's, whose T does this, or has no such code.
+const CodeRow* turning_length_code(const ControlDef& def);
+/// True if a tool with wear moves the axes at the same time on both controls. On the lathes of Fanuc they move by the wear in the block of
+/// T (spec/fanuc-t 4.1), on those of Haas with the next motion (spec/haas-st 3); other controls have one length, the sum.
+bool wears_alike(const ControlDef& from, const ControlDef& to);
+
 /// True if the set-up of this control may contain the key.
 bool allows_key(const ControlDef& def, const char* key);
 
@@ -38,6 +49,7 @@ std::string setup_text(const Setup& setup);
 /// Returns the properties of a session's program and set-up that the program's actions do not state.
 FlatSource flat_source_of(const Session& session, const ControlDef& to);
 /// Returns the numbers of the length and radius offsets in force after the blocks executed so far.
-OffsetsInForce offsets_of(const Control& control);
+///   def  the definition of the control
+OffsetsInForce offsets_of(const Control& control, const ControlDef& def);
 
 }  // namespace kadr

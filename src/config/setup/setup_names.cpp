@@ -87,7 +87,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::variables: return def.grammar.variables > 0 || def.grammar.parameter_address != 0;
     case SetupNeeds::parameters: return !def.parameters.empty();
     case SetupNeeds::corner_radius: return has_variable(def, VariableKind::offset_corner);
-    case SetupNeeds::turning_lengths: return has_variable(def, VariableKind::offset_x);
+    case SetupNeeds::turning_lengths: return has_variable(def, VariableKind::offset_x) || def.has_parameter_file();
     case SetupNeeds::lathe_offsets: return def.behaviour.lathe != Lathe::none;
     case SetupNeeds::tool_management: return has_variable(def, VariableKind::tool_data);
     case SetupNeeds::ini: return def.has_parameter_file();

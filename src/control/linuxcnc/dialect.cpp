@@ -68,6 +68,7 @@ LinuxCnc::LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits)
     tool.offset[1] = offset.length_y + offset.length_y_wear;
     tool.offset[2] = offset.whole_length();
     tool.diameter = 2 * offset.whole_radius();
+    tool.orientation = offset.tip_position;
     tools.insert_or_assign(number, tool);
   }
   table_is_known = !tools.empty();

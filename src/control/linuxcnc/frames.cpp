@@ -192,7 +192,7 @@ bool LinuxCnc::add_tables(const BlockContext& m, Setup& tables) const {
   for (const auto& [number, tool] : tools) {
     ToolOffset& offset = tables.offsets[number];
     offset.length_x = tool.offset[0], offset.length_y = tool.offset[1], offset.length = tool.offset[2];
-    offset.radius = tool.diameter / 2;
+    offset.radius = tool.diameter / 2, offset.tip_position = tool.orientation;
   }
   for (std::uint32_t i = 0; i < systems.size(); ++i) {
     const Axes zero = system_offset(m, i + 1);

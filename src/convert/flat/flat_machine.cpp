@@ -41,9 +41,7 @@ Status FlatProgram::motion_without_zero(Function function, const Motion& motion)
   KADR_TRY(motion_code(function));
   for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
     if ((motion.named >> a & 1U) == 0) continue;
-    const auto letter = letter_of(a);
-    if (!letter) return no_code(axes_[a].c_str());
-    KADR_TRY(blocks_.word(*letter, motion.machine[a] - placement_.length[a]));
+    KADR_TRY(axis_word(a, motion.machine[a] - placement_.length[a]));
   }
   KADR_TRY(blocks_.end());
   if (relative_) KADR_TRY(blocks_.code({{Function::incremental, any_argument}}));
@@ -66,9 +64,7 @@ Status FlatProgram::machine_motion(Function function, const Motion& motion) {
   if (cuts_in_machine()) KADR_TRY(motion_code(function));
   for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
     if ((motion.named >> a & 1U) == 0) continue;
-    const auto letter = letter_of(a);
-    if (!letter) return no_code(axes_[a].c_str());
-    KADR_TRY(blocks_.word(*letter, motion.machine[a]));
+    KADR_TRY(axis_word(a, motion.machine[a]));
   }
   if (!relative_) return {};
   KADR_TRY(blocks_.end());
@@ -85,16 +81,18 @@ bool FlatProgram::is_by_reference(const Motion& motion) const {
 Status FlatProgram::reference_motion(const Motion& motion) {
   const int point = reference_of(motion.end_reference);
   const CodeRow* const row = reference_code(blocks_.def(), point);
-  if (!relative_) KADR_TRY(blocks_.code({{Function::incremental, any_argument}}));
+  const bool by_letters = has_turret() && row_that_does(blocks_.def(), {{Function::incremental, any_argument}}) == nullptr;
+  if (!relative_ && !by_letters) KADR_TRY(blocks_.code({{Function::incremental, any_argument}}));
   KADR_TRY(blocks_.code({{row->function, row->arg}}));
   if (point > 1 && row->function == Function::reference_return) KADR_TRY(blocks_.word('P', point));
+  code_ = Function::count;
+  if (by_letters) return increments_of_zero(motion);
   for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
     if ((motion.named >> a & 1U) == 0) continue;
     const auto letter = letter_of(a);
     if (!letter) return no_code(axes_[a].c_str());
     KADR_TRY(blocks_.word(*letter, 0));
   }
-  code_ = Function::count;
   if (relative_) return {};
   KADR_TRY(blocks_.end());
   return blocks_.code({{Function::absolute, any_argument}});

@@ -44,8 +44,10 @@ Status FlatProgram::begin(const ToolPosition& stand, const Placement& placement)
     blocks_.text(blocks_.program_label(1));
     KADR_TRY(blocks_.end());
   }
-  blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
-  KADR_TRY(blocks_.code({{Function::absolute, any_argument}}));
+  if (source_.turns) KADR_TRY(begin_turning());
+  else blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
+  // a lathe may have no code for absolute dimensions, because its words U and W are the increments (spec/fanuc-t 1.1)
+  if (!blocks_.code_if_there({{Function::absolute, any_argument}}) && !has_turret()) return no_code("absolute");
   KADR_TRY(blocks_.end());
   blocks_.code_if_there({{Function::millimetre, any_argument}});
   if (blocks_.def().behaviour.arc_centers == ArcCenters::by_code) KADR_TRY(blocks_.code({{Function::centers_incremental, any_argument}}));
@@ -74,15 +76,18 @@ Axes FlatProgram::base() const {
 }
 
 Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
+  KADR_TRY(write_held(&action));
   const bool is_act = by_kind(
       action, same<Motion, FrameChange>(false),
       // Codes that the control executes itself are omitted, because the flat program has its own calls and ends
       [](const MachineFunction& function) { return !function.by_control; },
-      same<Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange,
-           Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>(true));
+      // T of a lathe belongs to the block of its motion, which ends with the new offset (spec/fanuc-t 4.1)
+      [&](const ToolChange&) { return !has_turret(); },
+      same<Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange, Couple,
+           Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>(true));
   has_acts_ = has_acts_ || is_act;
   return by_kind(
-      action, [&](const Motion& m) { return motion(m, now); },
+      action, [&](const Motion& m) { return hold(m, now) ? Status() : motion(m, now); },
       [&](const FrameChange& frame) {
         placement_ = frame.placement;
         return Status();
@@ -91,20 +96,25 @@ Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
       [&](const Spindle& turned) { return spindle(turned); },  //
       [&](const Speed& of) { return speed(of); },
       [&](const ToolSelect& selected) { return tool(selected.tool, selected.corrector, false); },
-      [&](const ToolChange& change) { return change.there ? no_code("tool_word") : tool(change.tool, 0, true); },
+      [&](const ToolChange& change) {
+        if (change.there) return no_code("tool_word");
+        return has_turret() ? turret(change.tool, now) : tool(change.tool, 0, true);
+      },
       [&](const Dwell& pause) { return dwell(pause.seconds); },
       [&](const CoolantSwitch& switched) { return coolant(coolant_ = switched.what); },  //
       [&](const Stop& stop) { return this->stop(stop); },                                //
       [&](const Message& message) { return this->message(message); }, [&](const AuxiliaryFunction&) { return no_code("auxiliary_word"); },
-      [&](const ZoneChange&) { return no_code("work_area_on"); },  //
-      [&](const Couple&) { return no_code("gear_on"); },           //
-      [&](const Uncouple&) { return no_code("gear_on"); },
-      same<SurfaceSpeed, Sync, CompensationBreak, CompensationCorner, CompensationCheck>(Status()));
+      [&](const ZoneChange&) { return no_code("work_area_on"); },                                                        //
+      [&](const Couple&) { return no_code("gear_on"); },                                                                 //
+      [&](const Uncouple&) { return no_code("gear_on"); }, [&](const SurfaceSpeed& law) { return surface_limit(law); },  //
+      same<Sync, CompensationBreak, CompensationCorner, CompensationCheck>(Status()));
 }
 
 Status FlatProgram::end_block() {
+  KADR_TRY(write_held());
   has_acts_ = false;
   if (std::exchange(wants_direction_, false)) KADR_TRY(spindle_on());
+  if (!turret_word_.empty()) blocks_.text(std::exchange(turret_word_, {}));
   return blocks_.end();
 }
 
@@ -138,8 +148,9 @@ void FlatProgram::pass(const Action& action) {
       },
       [&](const CoolantSwitch& switched) { coolant_ = switched.what; }, [&](const Speed& of) { surface_ = of.surface, rpm_ = of.value; },
       [&](const ToolSelect& selected) { selected_ = selected.tool; },
-      ignores<Dwell, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple,
-              CompensationBreak, CompensationCorner, CompensationCheck>);
+      [&](const ToolChange& change) { selected_ = has_turret() ? change.tool : selected_; },
+      ignores<Dwell, MachineFunction, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak,
+              CompensationCorner, CompensationCheck>);
 }
 
 Status FlatProgram::open(const FlatBefore& before, const OffsetsInForce& now) {
@@ -147,7 +158,7 @@ Status FlatProgram::open(const FlatBefore& before, const OffsetsInForce& now) {
   is_exact_ = before.exact && has_stop_modes();
   system_is_written_ = true;
   known_ = 0, code_ = Function::count, feed_ = -1;
-  relative_ = before.incremental;
+  relative_ = before.incremental && row_that_does(blocks_.def(), {{Function::incremental, any_argument}}) != nullptr;
   corners_ = before.corners, smoothing_before_ = smoothing_;
   if (before.inch) KADR_TRY(blocks_.code({{Function::millimetre, any_argument}}));
   return blocks_.end();
@@ -205,9 +216,11 @@ Status FlatProgram::write_with_motion(const Motion& motion, const OffsetsInForce
     else if (motion.side > 0)
       KADR_TRY(blocks_.code({{Function::radius_comp_left, any_argument}, {Function::radius_side, 1}, {Function::tool_side, 41}}));
     else KADR_TRY(blocks_.code({{Function::radius_comp_right, any_argument}, {Function::radius_side, 2}, {Function::tool_side, 42}}));
-    if (motion.side != 0 && now.radius_number != 0) KADR_TRY(blocks_.word('D', now.radius_number));
+    if (has_turret()) KADR_TRY(motion.side == 0 ? Status() : side_of_turret(now));
+    else if (motion.side != 0 && now.radius_number != 0) KADR_TRY(blocks_.word('D', now.radius_number));
     side_ = motion.side;
   }
+  if (has_turret()) return turret_offset(now);
   const bool same =
       now.length_sign == written_offsets_.length_sign && (now.length_sign == 0 || now.length_number == written_offsets_.length_number);
   if (form_ == FlatForm::plain || same || is_length_by_word()) return {};
@@ -216,6 +229,7 @@ Status FlatProgram::write_with_motion(const Motion& motion, const OffsetsInForce
                            {Function::length_comp, 0},
                            {Function::tool_length_off, any_argument},
                            {motion.side == 0 ? Function::compensation_off : Function::length_off, any_argument}}));
+  else if (now.length_sign > 0 && source_.turning_length != nullptr) return turning_length(now);
   else if (now.length_sign > 0)
     KADR_TRY(blocks_.code({{Function::length_plus, any_argument}, {Function::length_comp, 1}, {Function::tool_length, 0}}));
   else KADR_TRY(blocks_.code({{Function::length_minus, any_argument}, {Function::length_comp, 2}}));
@@ -262,7 +276,7 @@ Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
       KADR_TRY(blocks_.code({{Function::probe, any_argument}, {Function::measure, any_argument}, {Function::probe_move, 2}}));
       KADR_TRY(axis_words(motion));
       break;
-    case MotionKind::thread: return no_code("thread");
+    case MotionKind::thread: KADR_TRY(thread(motion)); break;
     case MotionKind::spline: return no_code("spline");
   }
   at_ = motion.machine;
@@ -298,9 +312,7 @@ Status FlatProgram::axis_words(const Motion& motion) {
     for (std::size_t a = 0; a < axes_.size() && a < max_axes && !(all_named && any); ++a) {
       const bool is_named = (motion.named >> a & 1U) != 0, is_new = is_named && (known_ >> a & 1U) == 0;
       if (!is_new && !(all_named && is_named) && std::fabs(motion.machine[a] - at_[a]) <= same_value) continue;
-      const auto letter = letter_of(a);
-      if (!letter) return no_code(axes_[a].c_str());
-      KADR_TRY(blocks_.word(*letter, word_of(a, motion.machine[a], zero[a])));
+      KADR_TRY(axis_word(a, word_of(a, motion.machine[a], zero[a])));
       known_ |= AxisMask{1} << a;
       any = any || !all_named;
     }
@@ -344,15 +356,8 @@ Status FlatProgram::arc(const Motion& motion) {
 Axes FlatProgram::written_position(const Axes& zero) const {
   Axes place = at_;
   for (std::size_t a = 0; a < axes_.size() && a < max_axes && !relative_; ++a)
-    if ((known_ >> a & 1U) != 0) place[a] = zero[a] + Words(blocks_.def(), axes_[a].front()).rounded(at_[a] - zero[a]);
+    if ((known_ >> a & 1U) != 0) place[a] = zero[a] + rounded(a, at_[a] - zero[a]);
   return place;
-}
-
-/// Returns the travel of an axis to the position `to`, counted from the rounded words before, in the unit of the axis.
-double FlatProgram::rise_of(std::size_t axis, const Axes& to) const {
-  const Words form(blocks_.def(), axes_[axis].front());
-  const double zero = base()[axis];
-  return std::fabs(relative_ ? form.rounded(to[axis] - at_[axis]) : form.rounded(to[axis] - zero) - form.rounded(at_[axis] - zero));
 }
 
 /// True if a helix of several revolutions can be one block, because the control has a word for its lead (spec/s2c42 7).
@@ -379,9 +384,7 @@ Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre
   for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
     const bool in_plane = a == plane[0] || a == plane[1];
     if (!in_plane && std::fabs(to[a] - at_[a]) <= same_value) continue;
-    const auto letter = letter_of(a);
-    if (!letter) return no_code(axes_[a].c_str());
-    KADR_TRY(blocks_.word(*letter, word_of(a, to[a], zero[a])));
+    KADR_TRY(axis_word(a, word_of(a, to[a], zero[a])));
     known_ |= AxisMask{1} << a;
     if (!in_plane && blocks_.def().behaviour.helix_by_lead()) lead = rise_of(a, to) / turns, lead_letter = centre_letter(axes_[a]);
   }

@@ -52,6 +52,11 @@ struct FlatSource {
   std::array<std::optional<std::uint32_t>, 3> coolants{};
   // Codes of the target control that select a work system, by number of the work system: "G54", "G54.1 P1"
   std::vector<std::string> systems{};
+  bool turns = false;  // one of the two controls is that of a lathe: the target text begins in the plane of X and Z
+  // code of the target control for the lengths of a turning tool; nullptr: it has the same code for all tools, or T is the code
+  const CodeRow* turning_length = nullptr;
+  bool same_threads = false;  // both controls measure the lead of a taper thread along the same axis
+  bool diameters = false;     // X words of the target text are diameters
 };
 
 class FlatProgram {
@@ -65,6 +70,8 @@ class FlatProgram {
   ///   alarms  function_has_no_code  the target control has no code for the action
   ///           word_has_no_room
   Status take(const Action& action, const OffsetsInForce& now);
+  /// Writes the T word of a lathe if the source block that has just been executed has put other offsets into force, without an action.
+  Status note_offsets(const OffsetsInForce& now);
   /// Ends the flat blocks that together express one block of the source program.
   Status end_block();
   Status finish();
@@ -92,7 +99,11 @@ class FlatProgram {
   Status write_before_motion(const Motion& motion, const OffsetsInForce& now);
   Status write_with_motion(const Motion& motion, const OffsetsInForce& now);
   Status straight(Function function, const Motion& motion);
+  Status begin_turning();
   Status axis_words(const Motion& motion);
+  Status axis_word(std::size_t axis, double value);
+  double factor_of(std::size_t axis) const { return source_.diameters && axes_[axis] == "X" ? 2 : 1; }
+  double rounded(std::size_t axis, double value) const;
   Status arc(const Motion& motion);
   struct Arms {
     double begin = 0, end = 0;  // radii of a spiral at its beginning and its end, mm
@@ -110,6 +121,16 @@ class FlatProgram {
   Status motion_without_zero(Function function, const Motion& motion);
   bool is_by_reference(const Motion& motion) const;
   Status reference_motion(const Motion& motion);
+  Status increments_of_zero(const Motion& motion);
+  Status thread(const Motion& motion);
+  bool has_turret() const { return blocks_.def().behaviour.lathe != Lathe::none; }
+  Status turret(std::uint32_t number, const OffsetsInForce& now);
+  Status turret_offset(const OffsetsInForce& now);
+  Status turning_length(const OffsetsInForce& now);
+  bool hold(const Motion& motion, const OffsetsInForce& now);
+  Status write_held(const Action* next = nullptr);
+  Status side_of_turret(const OffsetsInForce& now) const;
+  Status surface_limit(const SurfaceSpeed& law);
   void note_system(const Motion& motion);
   Status motion_code(Function function);
   Status feed(const Motion& motion);
@@ -125,6 +146,7 @@ class FlatProgram {
   Status spindle(const Spindle& spindle);
   Status spindle_on();
   Status speed(const Speed& speed);
+  Status constant_speed();
   Status tool(std::uint32_t number, std::uint32_t corrector, bool change);
   Status tool_by_hand(std::uint32_t number);
   Status coolant(Coolant what);
@@ -179,6 +201,12 @@ class FlatProgram {
   CornerSpeed corners_ = CornerSpeed::limited;
   // word Q of G5.1 (smoothing): smoothing_ in the flat blocks, smoothing_before_ in the rewritten blocks before them
   std::uint8_t smoothing_ = 0, smoothing_before_ = 0;
+  // T word of a lathe, which belongs to the block of the next motion, or to a block of its own if the source block moves no axis
+  std::string turret_word_;
+  // A motion to where the axes are already, and the offsets in force in its block. The next action decides whether it is written.
+  std::optional<Motion> held_;
+  OffsetsInForce held_offsets_;
+  double written_most_rpm_ = 0;   // highest spindle speed with constant surface speed in the target text, rev/min; 0: no limit
   bool wants_direction_ = false;  // the block has an S word, so it also needs M3 or M4
 };
 

@@ -109,7 +109,7 @@ class RangeWriter {
     if (!afresh) return;
     const FlatBefore before = in_force();
     inch_ = before.inch;
-    note(flat_.open(before, offsets_of(control_)));
+    note(flat_.open(before, offsets_of(control_, session_.def())));
   }
   FlatBefore in_force() const {
     FlatBefore modes;
@@ -151,7 +151,7 @@ class RangeWriter {
   void take(const Action& action) {
     if (open_ == nowhere) return flat_.pass(action);
     if (std::holds_alternative<FrameChange>(action.what)) flat_.system_changes();
-    if (std::exchange(is_new_, false)) now_ = offsets_of(control_);
+    if (std::exchange(is_new_, false)) now_ = offsets_of(control_, session_.def());
     has_acted_ = true;
     note(flat_.take(action, now_));
   }

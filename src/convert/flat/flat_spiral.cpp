@@ -1,4 +1,4 @@
-// Writes arcs with different radii at start and end as short lines, for controls that do not allow such arcs. Used by
+// Writes arcs with different radii at start and end as short lines, for controls that do not allow such arcs; the rise of a helix. Used by
 // convert/flat/flat_program; tested by tests/convert_real.py.
 
 #include <algorithm>
@@ -20,6 +20,12 @@ double increment_of(const ControlDef& def, const std::string& axis) {
 }
 
 }  // namespace
+
+/// Returns the travel of an axis to the position `to`, counted from the rounded words before, in the unit of the axis.
+double FlatProgram::rise_of(std::size_t axis, const Axes& to) const {
+  const double zero = base()[axis];
+  return std::fabs(relative_ ? rounded(axis, to[axis] - at_[axis]) : rounded(axis, to[axis] - zero) - rounded(axis, at_[axis] - zero));
+}
 
 bool FlatProgram::is_spiral(const Arms& arms) const {
   const ControlDef& def = blocks_.def();

@@ -45,15 +45,18 @@ Status FlatProgram::speed(const Speed& speed) {
     if (speed.surface)
       KADR_TRY(
           blocks_.code({{Function::surface_speed, any_argument}, {Function::css_on, any_argument}, {Function::surface_speed_limited, 0}}));
-    else
-      KADR_TRY(
-          blocks_.code({{Function::spindle_rpm, any_argument}, {Function::css_off, any_argument}, {Function::surface_speed_limited, 1}}));
+    else KADR_TRY(constant_speed());
     surface_ = speed.surface;
   }
   rpm_ = speed.value;
   KADR_TRY(blocks_.word('S', speed.value));
   wants_direction_ = blocks_.def().behaviour.speed_needs_direction;
   return {};
+}
+
+/// Writes G97, which ends the constant surface speed.
+Status FlatProgram::constant_speed() {
+  return blocks_.code({{Function::spindle_rpm, any_argument}, {Function::css_off, any_argument}, {Function::surface_speed_limited, 1}});
 }
 
 Status FlatProgram::coolant(Coolant what) {
@@ -106,6 +109,7 @@ Status FlatProgram::tool_by_hand(std::uint32_t number) {
 Status FlatProgram::tool(std::uint32_t number, std::uint32_t corrector, bool change) {
   constexpr std::uint32_t corrector_digits = 100;
   if (change && !changes_tools(blocks_.def())) return tool_by_hand(number);
+  if (has_turret()) return {};  // a turret turns at the change itself, see turret()
   const bool together = blocks_.def().behaviour.tool_and_corrector;
   if (!change || number != selected_) {
     if (!blocks_.has_word('T')) return not_there("tool_word");
