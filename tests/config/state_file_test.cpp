@@ -475,7 +475,7 @@ TEST(state_rows, wrong_rows) {
   EXPECT_EQ(refusal(offsets, "5/length", std::string("a")), "setup key 'offsets.5.length' must be a number, at most 10000000");
   EXPECT_EQ(refusal(offsets, "5", 1.0),
             "unknown setup key 'offsets.5.'; here stand length, length_wear, radius, radius_wear, corner_radius, corner_radius_wear, "
-            "length_x, length_x_wear, length_y, length_y_wear, tip_position, X, X_wear, Y, Y_wear, Z, Z_wear, tip");
+            "length_x, length_x_wear, length_y, length_y_wear, tip_position, X, X_wear, Y, Y_wear, Z, …");
   EXPECT_EQ(refusal(tool_table, "2/user/21", 1.0), "unknown setup key 'tool_table.2.user/21'; did you mean 'user'?");
   EXPECT_EQ(refusal(tool_table, "2/user/3", std::string("a")), "setup key 'tool_table.2.user' must be a list of numbers");
   EXPECT_EQ(refusal(variables, "500", 1.0), "setup key 'variables.500' must be named #n, #_NAME, or R0 to R9");

@@ -53,6 +53,7 @@ TEST(PartProgram, FeedsKeepTheirPointWhereTheControlCountsIncrements) {
 TEST(PartProgram, EveryControlReadsItBack) {
   for (const std::string& id : built_in_controls()) {
     const auto def = load_control(id);
+    if (def->behaviour.lathe != Lathe::none) continue;  // kadr mill writes no programs for lathes
     const auto program = part_program(*def, moves, technology);
     ASSERT_TRUE(program) << id;
     const auto read = program_moves(*def, program->text);
