@@ -61,7 +61,7 @@ const TurnedCutting::Tool* TurnedCutting::add_tool(const ToolGeometry& geometry)
   if (const auto found = std::find_if(tools_.begin(), tools_.end(), same); found != tools_.end()) return found->get();
   ToolShape shape = shape_of(geometry);
   std::vector<InsertSweep> sweeps = insert_sweeps(shape, nose_chord);
-  return tools_.emplace_back(std::make_unique<Tool>(std::move(shape), std::move(sweeps))).get();
+  return tools_.emplace_back(std::make_unique<Tool>(Tool{std::move(shape), std::move(sweeps)})).get();
 }
 
 /// Returns the tool in force: as the tools file has it, else by the row of the offset table; nullptr if neither tells its form. Where no
