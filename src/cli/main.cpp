@@ -51,6 +51,7 @@ int perform(const CLI::App& app, const Commands& commands) {
   if (app.got_subcommand("cut")) return cut(commands.cut);
   if (app.got_subcommand("diff")) return diff(commands.diff);
   if (app.got_subcommand("convert")) return convert(commands.convert);
+  if (app.got_subcommand("edit")) return edit(commands.edit);
   if (app.got_subcommand("report")) return report(commands.report);
   if (app.got_subcommand("serve")) return serve(commands.serve);
   if (app.got_subcommand("man")) {
@@ -87,7 +88,7 @@ int main(int argc, char** argv) {
   take_usual_words(argc, argv);
   Commands commands;
   commands.options.limits.stop = commands.cut.run.limits.stop = commands.diff.both.limits.stop = commands.convert.run.limits.stop =
-      commands.report.cut.run.limits.stop = stop_token();
+      commands.edit.run.limits.stop = commands.report.cut.run.limits.stop = stop_token();
   commands.options.lang = language_on(argc, argv);
   const kadr::Lang lang = language(commands.options);
   kadr::set_process_language(lang);

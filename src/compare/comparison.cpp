@@ -357,6 +357,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
     if (const auto found = rules.zero_of_b.find(frame[i]); found != rules.zero_of_b.end()) zero[i] = found->second;
   course_b.shift(zero);
   if (!rules.times) course_a.pass_times(), course_b.pass_times();
+  course_a.change_items(rules.expected_of_a);
   if (!rules.messages) course_a.pass_messages(), course_b.pass_messages();
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
   const PathModes of_b = path_modes_of(course_b.session().def());

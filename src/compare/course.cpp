@@ -66,6 +66,8 @@ void Course::more(ItemRing& to) {
     over_ = stop_.requested() || session_->go_on() != Session::State::running;
     if (over_) end_.state = state_, to.add() = end_;
   }
+  if (change_)
+    for (std::size_t i = before; i < to.size(); ++i) change_(to[i]);
 }
 
 /// Copies axis positions from the order of the control's axes to the order of the frame's axes. An axis of the frame that the control lacks
@@ -190,6 +192,7 @@ void Course::take_motion(const Step& step, const Motion& motion) {
     if (modes_.tolerance) state.tolerance = motion.tolerance;
     if (modes_.speeds) state.corners = motion.corner_speed;
     if (modes_.smoothing) state.smoothing = motion.smoothing;
+    state.taps = motion.in_hole == HoleWork::taps;
   }
   if (modes_.exact) {
     const bool goes = (exact_end_ || motion.exact) && !stands(step, motion);

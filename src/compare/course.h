@@ -2,6 +2,7 @@
 // Course: what a program makes the machine do, in order of time, in a form that can be compared with another program. It consists of
 // straight segments of the path with the state in force along them, and of acts (dwell, stop, message …) between the segments.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,6 +25,8 @@ class Course {
 
   /// Excludes messages to the operator from the course.
   void pass_messages() { messages_ = false; }
+  /// Sets a function that changes each item before it is passed on; an empty function changes nothing.
+  void change_items(std::function<void(CourseItem&)> change) { change_ = std::move(change); }
   /// Adds this vector, the origin that the operator has set, to all positions (mm, by axis of the frame). Call this function before the
   /// first item.
   void shift(const Axes& by);
@@ -68,6 +71,7 @@ class Course {
   std::vector<int> axis_of_;  // by axis of the frame: index of the control's axis; -1: the control has no such axis
   double chord_;
   StopToken stop_;
+  std::function<void(CourseItem&)> change_;
   Chain chain_;
   std::unique_ptr<TimeEstimate> clock_;
   Vec3 frame_zero_;

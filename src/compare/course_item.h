@@ -28,6 +28,7 @@ struct CourseState {
   double tolerance = 0;  // greatest rounding of corners, mm (G64 P)
   CornerSpeed corners = CornerSpeed::limited;
   std::uint8_t smoothing = 0;  // smoothing mode: the word Q of G5.1
+  bool taps = false;           // true: a tapping cycle cuts a thread; not compared
   friend bool operator==(const CourseState&, const CourseState&) = default;
 };
 

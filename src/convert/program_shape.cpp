@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "config/control/tool_numbers.h"
+
 namespace kadr {
 namespace {
 
@@ -222,8 +224,7 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   if (const Word* const speed = block.find('S'); speed != nullptr && !speed->expression)
     names_of_words_.most_speed = std::max(names_of_words_.most_speed, speed->value);
   if (const Word* const t = block.find('T'); t != nullptr && !t->expression && t->value >= 0 && t->value < most_tool)
-    names_of_words_.tools.insert(
-        static_cast<std::uint32_t>(def.behaviour.tool_and_corrector && t->value >= hundred ? t->value / hundred : t->value));
+    names_of_words_.tools.insert(tool_numbers(def, t->value).tool);
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& word = block.words[i];
     if (def.address(word.address).function == Function::call_word && !word.expression) {

@@ -145,6 +145,7 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   add_cut(*app, c);
   add_diff(*app, c);
   add_convert(*app, c);
+  add_edit(*app, c);
   add_report(*app, c);
   add_serve(*app, c);
   add_pages(*app, c);
@@ -154,8 +155,9 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
 }
 
 void speak(Commands& c, const std::string& lang) {
-  for (std::string* const member : {&c.options.lang, &c.explain.lang, &c.tape.lang, &c.state.lang, &c.setup.program.lang, &c.mill.lang,
-                                    &c.cut.run.lang, &c.diff.both.lang, &c.convert.run.lang, &c.report.cut.run.lang, &c.serve.lang})
+  for (std::string* const member :
+       {&c.options.lang, &c.explain.lang, &c.tape.lang, &c.state.lang, &c.setup.program.lang, &c.mill.lang, &c.cut.run.lang,
+        &c.diff.both.lang, &c.convert.run.lang, &c.edit.run.lang, &c.report.cut.run.lang, &c.serve.lang})
     *member = lang;
 }
 

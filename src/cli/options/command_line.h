@@ -24,6 +24,7 @@ struct Commands {
   CutOptions cut;
   DiffOptions diff;
   ConvertOptions convert;
+  EditOptions edit;
   ServeOptions serve;
   ReportOptions report;
   std::string machine;  // argument of the command `machines`; empty: all machines

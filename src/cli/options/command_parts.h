@@ -23,6 +23,8 @@ void add_cut(CLI::App& app, Commands& commands);
 void add_diff(CLI::App& app, Commands& commands);
 /// Adds the command convert (convert.cpp).
 void add_convert(CLI::App& app, Commands& commands);
+/// Adds the command edit (edit_command.cpp).
+void add_edit(CLI::App& app, Commands& commands);
 
 /// Adds the command report (report_command.cpp).
 void add_report(CLI::App& app, Commands& commands);

@@ -6,6 +6,7 @@
 
 #include "config/alarm_texts.h"
 #include "control/control.h"
+#include "edit/edits.h"
 #include "out/trace/sample_options.h"
 #include "session/milling/mill_request.h"
 
@@ -114,6 +115,15 @@ struct ConvertOptions {
   double tolerance = 0;  // permitted distance between the two paths, mm; 0: usual_tolerance() of the conversion
 };
 int convert(const ConvertOptions& options);
+
+struct EditOptions {
+  std::string program;
+  Options run;  // options with which the program runs
+  Edits edits;
+  std::string out;           // output file; empty: standard output
+  double tolerance = 0.001;  // permitted distance between the paths of the old and the new program, mm
+};
+int edit(const EditOptions& options);
 
 struct ReportOptions {
   CutOptions cut;  // options of the cut, including those of the run; if no blank is stated, the program only runs

@@ -1,0 +1,125 @@
+// Reads the words that describe an edit. Used by cli/edit_command; tested by tests/edit.py.
+
+#include "edit/edits.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/ascii.h"
+#include "texts/edit.h"
+
+namespace kadr {
+namespace {
+
+constexpr double least_percent = 1, most_percent = 1000;
+constexpr std::uint32_t most_number = 99'999'999;
+constexpr double most_shift = 100'000;  // mm
+constexpr std::int32_t tenths = 10;
+constexpr double percent = 100;
+
+/// Reads a number from the start of the text and removes it from there; nullopt if the text does not start with a number.
+template <class Number>
+std::optional<Number> number_of(std::string_view& text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end == text.data()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+bool take(std::string_view& text, char letter) {
+  if (text.empty() || to_upper(text.front()) != letter) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+std::optional<std::uint32_t> whole(std::string_view& text) {
+  const auto value = number_of<std::uint32_t>(text);
+  return value && *value <= most_number ? value : std::nullopt;
+}
+
+std::optional<SystemCode> system_of(std::string_view& text) {
+  if (!take(text, 'G')) return std::nullopt;
+  const auto number = whole(text);
+  if (!number || *number > 999) return std::nullopt;
+  SystemCode system{static_cast<std::int32_t>(*number) * tenths, {}};
+  if (take(text, '.')) {
+    const auto fraction = whole(text);
+    if (!fraction || *fraction >= static_cast<std::uint32_t>(tenths)) return std::nullopt;
+    system.code += static_cast<std::int32_t>(*fraction);
+  }
+  while (take(text, ' ')) {
+  }
+  if (take(text, 'P'))
+    if (system.further = whole(text); !system.further) return std::nullopt;
+  return system;
+}
+
+}  // namespace
+
+double factor_for(const std::vector<Factor>& factors, std::uint32_t tool) {
+  double all = 1;
+  for (const Factor& one : factors) {
+    if (one.tool == tool) return one.factor;
+    if (!one.tool) all = one.factor;
+  }
+  return all;
+}
+
+tl::expected<Factor, std::string> read_factor(std::string_view text) {
+  std::string_view rest = text;
+  Factor made;
+  bool right = true;
+  if (take(rest, 'T')) {
+    made.tool = whole(rest);
+    right = made.tool && take(rest, '=');
+  }
+  const auto value = right ? number_of<double>(rest) : std::nullopt;
+  if (!value || !take(rest, '%') || !rest.empty() || !(*value >= least_percent && *value <= most_percent))
+    return tl::unexpected(translated(texts::edit::want_factor, text, least_percent, most_percent));
+  made.factor = *value / percent;
+  return made;
+}
+
+tl::expected<Numbering, std::string> read_numbering(std::string_view text) {
+  std::string_view rest = text;
+  const auto first = whole(rest);
+  auto step = first;
+  if (first && take(rest, ':')) step = whole(rest);
+  if (!first || !step || *step == 0 || !rest.empty()) return tl::unexpected(translated(texts::edit::want_numbering, text));
+  return Numbering{*first, *step};
+}
+
+tl::expected<std::pair<std::uint32_t, std::uint32_t>, std::string> read_tools(std::string_view text) {
+  std::string_view rest = text;
+  (void)take(rest, 'T');
+  const auto from = whole(rest);
+  const bool has_sign = take(rest, '=');
+  (void)take(rest, 'T');
+  const auto to = whole(rest);
+  if (!from || !has_sign || !to || *from == 0 || *to == 0 || !rest.empty())
+    return tl::unexpected(translated(texts::edit::want_tools, text));
+  return std::pair(*from, *to);
+}
+
+tl::expected<std::pair<SystemCode, SystemCode>, std::string> read_systems(std::string_view text) {
+  std::string_view rest = text;
+  const auto from = system_of(rest);
+  const bool has_sign = take(rest, '=');
+  const auto to = system_of(rest);
+  if (!from || !has_sign || !to || !rest.empty()) return tl::unexpected(translated(texts::edit::want_systems, text));
+  return std::pair(*from, *to);
+}
+
+tl::expected<std::pair<std::string, double>, std::string> read_shift(std::string_view text) {
+  std::string_view rest = text;
+  std::string axis;
+  if (!rest.empty() && is_letter(rest.front())) axis = to_upper(rest.front()), rest.remove_prefix(1);
+  (void)take(rest, '+');
+  const auto value = axis.empty() ? std::nullopt : number_of<double>(rest);
+  if (!value || !rest.empty() || !(std::abs(*value) <= most_shift)) return tl::unexpected(translated(texts::edit::want_shift, text));
+  return std::pair(axis, *value);
+}
+
+}  // namespace kadr

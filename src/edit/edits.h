@@ -1,0 +1,65 @@
+#pragma once
+// Edits: what is to be changed in a program, and nothing else. The words of the command line and of the page are read by read_edit().
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <utility>
+#include <vector>
+
+#include "config/setup/setup.h"
+
+namespace kadr {
+
+/// A factor for feeds or spindle speeds.
+struct Factor {
+  std::optional<std::uint32_t> tool{};  // the tool in the spindle for which the factor applies; nullopt: all tools
+  double factor = 1;
+};
+
+/// New block numbers: first, first + step, first + 2 step …
+struct Numbering {
+  std::uint32_t first = 10, step = 10;
+};
+
+/// A work system by its code: G54, or G54.1 with P3.
+struct SystemCode {
+  std::int32_t code = 0;                      // ten times the number of the G code
+  std::optional<std::uint32_t> further = {};  // the number after P; nullopt: the code stands alone
+  friend bool operator==(const SystemCode&, const SystemCode&) = default;
+};
+
+struct Edits {
+  std::optional<Numbering> numbering;
+  bool no_numbers = false, no_comments = false, no_spaces = false, no_empty_lines = false;  // what is removed
+  bool spaces = false;                                                                      // a space is put between words
+  std::vector<Factor> feeds, speeds;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> tools;   // numbers of tools: old, new
+  std::vector<std::pair<SystemCode, SystemCode>> work_systems;  // old, new
+  AxisValues shift;                                             // mm, by name of the axis: added to positions in work coordinates
+
+  bool empty() const {
+    return !numbering && !no_numbers && !no_comments && !no_spaces && !no_empty_lines && !spaces && feeds.empty() && speeds.empty() &&
+           tools.empty() && work_systems.empty() && shift.empty();
+  }
+};
+
+/// Returns the factor for this tool; 1 if no factor applies to it. A factor for a tool takes precedence over one for all tools.
+double factor_for(const std::vector<Factor>& factors, std::uint32_t tool);
+
+// Each of these functions reads one word of a user and returns an error sentence if the word is wrong.
+
+/// Reads `80%` or `T3=80%`.
+tl::expected<Factor, std::string> read_factor(std::string_view text);
+/// Reads `10` (first number and step) or `100:5`.
+tl::expected<Numbering, std::string> read_numbering(std::string_view text);
+/// Reads `3=7` or `T3=T7`.
+tl::expected<std::pair<std::uint32_t, std::uint32_t>, std::string> read_tools(std::string_view text);
+/// Reads `G54=G55` or `G54=G54.1P3`.
+tl::expected<std::pair<SystemCode, SystemCode>, std::string> read_systems(std::string_view text);
+/// Reads `X10`, `Z-0.5`: the name of an axis and a distance in mm.
+tl::expected<std::pair<std::string, double>, std::string> read_shift(std::string_view text);
+
+}  // namespace kadr
