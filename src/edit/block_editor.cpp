@@ -19,6 +19,12 @@ constexpr std::uint64_t bit_of(char letter) { return letter >= 'A' && letter <= 
 
 constexpr std::uint32_t pair_digits = 100;  // T0303: tool 3 with offset 3
 
+/// Returns the location of a word without blanks at its end.
+Span without_blanks(const Block& block, Span where) {
+  while (where.end > where.begin && block.text[where.end - 1] == ' ') --where.end;
+  return where;
+}
+
 bool is_axis(const AddressRow& row) { return row.function == Function::axis || row.function == Function::machine_axis; }
 
 constexpr bool is_offset(char letter) { return letter == 'H' || letter == 'D'; }
@@ -32,7 +38,6 @@ bool names_place(Function function) {
 }
 
 }  // namespace
-
 BlockEditor::BlockEditor(const ControlDef& def, const Edits& edits, const LineUses* use)
     : def_(def), edits_(edits), use_(use), tool_(use != nullptr ? use->first_tool() : 0) {}
 
@@ -95,10 +100,11 @@ tl::expected<void, EditFault> BlockEditor::set(const Block& block, const Word& w
 tl::expected<void, EditFault> BlockEditor::scale(const Block& block, const Word& word, double factor, LineChanges& to) {
   if (factor == 1) return {};
   if (!word.expression) return set(block, word, word.value * factor, to);
-  const std::string_view text = block.text_of(word.where);
+  const Span where = without_blanks(block, word.where);
+  const std::string_view text = block.text_of(where);
   if (!def_.grammar.expressions && !def_.grammar.custom_macros)
     return tl::unexpected(EditFault{block.position.line, translated(texts::edit::parameter_word, text)});
-  to.replace(word.where, word_with_operation(text, fmt::format("*{:g}", factor)));
+  to.replace(where, word_with_operation(text, fmt::format("*{:g}", factor)));
   count_unproven(block);
   return {};
 }
@@ -166,17 +172,18 @@ tl::expected<void, EditFault> BlockEditor::place_word(const Block& block, const 
   if (shift == edits_.shift.end()) return {};
   const double step = shift->second / (inch_ ? mm_per_inch : 1) / row.scale;
   if (!word.expression) return set(block, word, word.value + step, to);
-  to.replace(word.where, word_with_operation(block.text_of(word.where), fmt::format("{:+g}", step)));
+  const Span where = without_blanks(block, word.where);
+  to.replace(where, word_with_operation(block.text_of(where), fmt::format("{:+g}", step)));
   count_unproven(block);
   return {};
 }
 
 /// Puts one space between the words of a block, or none.
 void BlockEditor::spacing(const Block& block, LineChanges& to) const {
-  if (block.statement.kind != StatementKind::none || !block.assignments.empty() || block.marker != Marker::none) return;
+  if (block.broken || block.statement.kind != StatementKind::none || !block.assignments.empty() || block.marker != Marker::none) return;
   std::vector<Span> tokens;
   if (block.has_number) tokens.push_back(block.number_where);
-  for (std::uint32_t i = 0; i < block.word_count; ++i) tokens.push_back(block.words[i].where);
+  for (std::uint32_t i = 0; i < block.word_count; ++i) tokens.push_back(without_blanks(block, block.words[i].where));
   std::sort(tokens.begin(), tokens.end(), [](Span a, Span b) { return a.begin < b.begin; });
   for (std::size_t i = 1; i < tokens.size(); ++i) {
     const Span gap{tokens[i - 1].end, tokens[i].begin};

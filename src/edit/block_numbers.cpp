@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ascii.h"
 #include "config/control/control_def.h"
 #include "texts/edit.h"
 
@@ -38,7 +39,8 @@ bool BlockNumbers::gets_number(const Block& block) const {
   if (in_section_ || block.marker != Marker::none) return false;
   if (block.has_number) return true;
   const StatementKind kind = block.statement.kind;
-  return kind != StatementKind::o_word && kind != StatementKind::system && def_->grammar.word('N').known && !block.broken;
+  const bool does_something = block.word_count > 0 || !block.assignments.empty() || kind != StatementKind::none;
+  return does_something && kind != StatementKind::o_word && kind != StatementKind::system && def_->grammar.word('N').known && !block.broken;
 }
 
 tl::expected<std::vector<BlockNumbers::Reference>, EditFault> BlockNumbers::references(const Block& block) const {
@@ -157,11 +159,10 @@ tl::expected<void, EditFault> BlockNumbers::change(const Block& block, LineChang
     return {};
   }
   std::uint32_t at = block.where.begin;
-  if (at < block.text.size() && block.text[at] == '/')
-    at +=
-        block.skip > 0 && def_->grammar.skip_levels && at + 1 < block.text.size() && block.text[at + 1] >= '0' && block.text[at + 1] <= '9'
-            ? 2
-            : 1;
+  if (at < block.text.size() && block.text[at] == '/') {
+    ++at;
+    while (at < block.text.size() && is_digit(block.text[at])) ++at;  // the number of the skip switch
+  }
   while (at < block.text.size() && block.text[at] == ' ') ++at;
   to.replace({at, at}, number_word(block, number) + " ");
   return {};
