@@ -1,15 +1,20 @@
 #!/usr/bin/env python3
 """Compares turning with LinuxCNC's own interpreter: random figures for G71 and G72, random threads for G76.
 
-    tests/lathe_oracle.py --kadr build/release/kadr [--count 60] [--seed 1] [--show]
+    tests/lathe_oracle.py --kadr build/release/kadr [--count 40] [--seed 1] [--show]
 
 Of each figure LinuxCNC's program is run in rs274 and in `kadr run --control linuxcnc`: the motions must be the same. The same figure is
 roughed by G71 or G72 of fanuc-t: the passes differ, but both must leave the figure, fanuc-t moved by the allowance U W (LinuxCNC's U W
-are for machines without these axes only). G76 with the smallest
-depth and the allowance 0: the same depths (first depth times the root of the number), the same number of finishing passes; the flank's shift
-differs by that of the first pass (docs/controls/fanuc-t-notes.md). Skipped, with a message, where there is no rs274.
+are for machines without these axes only). G76 with the smallest depth and the allowance 0: the same depths (first depth times the root of
+the number), finishing passes, shifts of the start; LinuxCNC's flank moves the end too (docs/controls/fanuc-t-notes.md). Skipped, with a
+message, where there is no rs274.
+
+KADR_G7X_ORACLE names an executable that dev/g7x_oracle makes of a later release's source: each figure is then also compared with it, in the
+same two ways.
 """
+import json
 import math
+import os
 import random
 import subprocess
 import sys
@@ -28,6 +33,7 @@ import oracle  # noqa: E402
 
 SECONDS = 5        # limit of rs274, which does not end with some figures
 HEAD = 'G18 G21 G8 G90 G91.1 G94 F100 M3 S500'
+LATER = os.environ.get('KADR_G7X_ORACLE')
 EQUAL = 5e-5          # mm between the two parts: rs274's output has six decimals, its arcs a tolerance
 
 
@@ -72,6 +78,23 @@ class Figure:
         words = f'I{self.step / 1000} R{self.escape / 1000} D0'
         return '\n'.join([*made, 'O100 ENDSUB', f'G0 X{text_of(x)} Z{text_of(z)}', f'{code} Q100 {words}', 'M2', ''])
 
+    def source(self):
+        """Returns the input of dev/g7x_oracle's executable: the numbers that LinuxCNC's program has, as it computes with them."""
+        z, x = self.grid.mm(*self.start)
+        made = [f'{71 if self.main == "Z" else 72} 0 {z!r} {x!r} 0 {self.step / 1000} {self.escape / 1000}']
+        written = lambda point: tuple(float(text_of(value)) for value in point)
+        at = written(self.figure.pieces[0].a)
+        if math.dist(at, (z, x)) > EPS:
+            made.append(f'L {at[0]!r} {at[1]!r}')
+        for piece in self.figure.pieces:
+            kind = 'L'
+            if piece.c is not None:
+                centre = (a + float(text_of(c - b)) for a, b, c in zip(at, piece.a, piece.c))
+                kind = ' '.join(['A', str(int(piece.ccw)), *map(repr, centre)])
+            at = written(piece.b)
+            made.append(f'{kind} {at[0]!r} {at[1]!r}')
+        return '\n'.join(made) + '\n'
+
     def fanuc(self):
         """Returns a Program for fanuc-t with the same cycle."""
         p = programs.Program(random.Random(0), self.grid, programs.set_up({}), {})
@@ -110,6 +133,57 @@ def of_rs274(rs274, folder, text):
             centre = (action['center']['Z'], action['center']['X']) if arc else None
             found.append(('arc' if arc else action['do'], (action['to']['Z'], action['to']['X']), centre, action['do'] == 'arc_ccw'))
     return found
+
+
+def of_source(one):
+    """Returns the motions of the later release's source as (kind, (Z, X), centre, ccw), or its alarm; those of no length are left out."""
+    said = subprocess.run([LATER], input=one.source(), capture_output=True, text=True, timeout=SECONDS, check=True).stdout
+    here, found = one.grid.mm(*one.start), []
+    for line in said.splitlines():
+        kind, *numbers = line.split(maxsplit=1) if line.startswith('!') else line.split()
+        if kind == '!':
+            return numbers[0]
+        values = [float(number) for number in numbers]
+        to = tuple(values[-2:])
+        if kind == 'A':
+            one = 'arc', to, tuple(values[1:3]), values[0] == 1
+            goes_on = bool(found) and found[-1][0] == 'arc' and math.dist(one[2], found[-1][2]) < EQUAL and one[3] == found[-1][3]
+            found[len(found) - goes_on:] = [one]           # an arc may come in two parts
+        elif math.dist(to, here) > 1e-7:
+            found.append(('rapid' if kind == 'R' else 'feed', to, None, False))
+        here = to
+    return found
+
+
+def of_kadr(kadr, folder, text):
+    """Returns Kadr's motions of LinuxCNC's program behind that to the start, and the last line of the trace."""
+    (folder / 'main.ngc').write_text(text)
+    done = subprocess.run([kadr, 'run', 'main.ngc', '--control', 'linuxcnc', '--files', '.', '--trace', '-', '--lang', 'en'], cwd=folder,
+                          capture_output=True, timeout=harness.TIME_LIMIT_S, stdin=subprocess.DEVNULL, check=False)
+    actions = [json.loads(line) for line in done.stdout.decode().splitlines() if line.startswith('{')]
+    motions = lathe_cycles.in_full([a for a in actions if a['do'] in lathe_cycles.MOTIONS], {'X': 0, 'Z': 0})
+    return [one[:4] for one in motions[1:]], actions[-1]
+
+
+def later_faults(kadr, seed):
+    """Compares a figure with the source of the later release: Kadr's motions of LinuxCNC's program, and what they leave."""
+    one = Figure(seed)
+    theirs = of_source(one)
+    with tempfile.TemporaryDirectory(prefix='lathe') as place:
+        ours, last = of_kadr(kadr, Path(place), one.linuxcnc())
+    text = one.linuxcnc() + one.source()
+    if isinstance(theirs, str):
+        return text, None if last['do'] == 'alarm' and theirs in last['text'] else f'{last["do"]}, LinuxCNC: {theirs}'
+    if last['do'] != 'end':                                # whether the search ends over a level at a crest, the last bit decides
+        return text, 'no answer' if last.get('id') == 'cycle_endless' else f'kadr run --control linuxcnc: {last.get("text")}'
+    for number, (a, b) in enumerate(zip(ours, theirs), 1):
+        if a[0] != b[0] or math.dist(a[1], b[1]) > EQUAL or (a[2] and (math.dist(a[2], b[2]) > EQUAL or a[3] != b[3])):
+            return text, f'motion {number}: {a}, LinuxCNC {b}'
+    if len(ours) != len(theirs):
+        return text, f'{len(ours)} motions, LinuxCNC {len(theirs)}'
+    left = one.heights([('rapid', one.grid.mm(*one.start), None, False), *theirs], (0, 0))
+    worst = max(((abs(x - y), u) for u, x, y in zip(left.u, left.cut, left.figure)), default=(0, 0))
+    return text, None if worst[0] < EQUAL else f'LinuxCNC leaves {worst[0]:.5f} at u {worst[1]:.3f}'
 
 
 def figure_faults(rs274, kadr, seed):
@@ -203,28 +277,33 @@ def main():
     parser.add_argument('--show', action='store_true', help='print the programs of LinuxCNC that differ')
     options = harness.parsed(parser)
     tally = harness.Tally()
+    seeds = range(options.seed, options.seed + options.count)
     with tempfile.TemporaryDirectory(prefix='lathe') as place:
         try:
             rs274 = oracle.Oracle(place)
+            compare = lambda seed: (thread_faults if seed % 4 == 0 else figure_faults)(rs274, options.kadr, seed)
+            judge_all(tally, 'seed', compare, seeds, options.show)
         except oracle.Absent as absent:
             tally.skip(f'nothing is compared with LinuxCNC: {absent}')
-            return tally.result()
-
-        def compare(seed):
-            try:
-                return (thread_faults if seed % 4 == 0 else figure_faults)(rs274, options.kadr, seed)
-            except subprocess.TimeoutExpired:
-                return '', 'no answer'
-
-        seeds = range(options.seed, options.seed + options.count)
-        for seed, (text, fault) in zip(seeds, harness.each(compare, seeds)):
-            if fault == 'no answer':
-                tally.skip(f'seed {seed}: rs274 does not end')
-                continue
-            tally.judge(f'seed {seed}', [fault] if fault else [])
-            if fault and options.show:
-                print('\n'.join(f'    {n} {line}' for n, line in enumerate(text.splitlines(), 1)))
+    if LATER:
+        judge_all(tally, f'{LATER}, seed', lambda seed: later_faults(options.kadr, seed), seeds, options.show)
     return tally.result()
+
+
+def judge_all(tally, name, compare, seeds, show):
+    def answered(seed):
+        try:
+            return compare(seed)
+        except (subprocess.TimeoutExpired, subprocess.CalledProcessError):     # it never ends, or its stack is full
+            return '', 'no answer'
+
+    for seed, (text, fault) in zip(seeds, harness.each(answered, seeds)):
+        if fault == 'no answer':
+            tally.skip(f'{name} {seed}: LinuxCNC does not end')
+            continue
+        tally.judge(f'{name} {seed}', [fault] if fault else [])
+        if fault and show:
+            print('\n'.join(f'    {n} {line}' for n, line in enumerate(text.splitlines(), 1)))
 
 
 if __name__ == '__main__':

@@ -117,10 +117,11 @@ def pecks(start, end, column_step, depth_step, escape, relief, along):
 
 
 def one_column(go, top, bottom, step, escape):
+    """Pecks one column; the way back never leads beyond the start."""
     way = towards(top, bottom)
     depth = top
     while way * (bottom - depth) > step + EPS:
         depth += way * step
         go('feed', deep=depth)
-        go('rapid', deep=depth - way * escape)
+        go('rapid', deep=depth - way * min(escape, abs(depth - top)))
     go('feed', deep=bottom)

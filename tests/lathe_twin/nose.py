@@ -157,16 +157,16 @@ class NoseProgram:
             if kind != 'arc' and math.dist(at, to) < 1e-7:
                 continue
             at = to
-            if number >= len(got) or got[number][0] != kind or math.dist(got[number][1], to) > 5e-6:
+            if number >= len(got) or got[number][0] != kind or math.dist(got[number][1], to) > 5e-5:
                 return [f'pass motion {number}: {got[number] if number < len(got) else None}, wanted {kind, to}']
             number += 1
         return []
 
 
 def on_a_level(pieces, step):
-    """True if the figure turns, begins or ends at the depth of a level."""
-    depths = [piece.at(t)[1] for piece in pieces for t in (0, 1, *piece.extreme_shares(1))]
-    return any(abs(depth - step * round(depth / step)) < 1e-6 for depth in depths if depth > step / 2)
+    """True if the figure turns or begins at the depth of a level, or of C."""
+    depths = [piece.at(t)[1] for piece in pieces for t in (0, *piece.extreme_shares(1))]
+    return any(abs(depth - step * round(depth / step)) < 1e-6 for depth in depths)
 
 
 def joined(pieces):
@@ -182,7 +182,10 @@ def joined(pieces):
 
 
 def room_for(pieces, radius):
-    """True if no piece is so short, no arc so narrow and no corner so sharp that the nose would not fit between its neighbours."""
+    """True if no piece is so short, no arc so narrow and no corner so sharp that the nose would not fit between its neighbours. Nor may the
+    figure begin with a pocket: the nose cannot reach its edge A' and, in the same pass, its wall."""
+    if pieces[0].at(1e-4)[1] > pieces[0].a[1] + 1e-9:
+        return False
     sharp = any(cosine(a.at(1 - 1e-6), a.b, b.at(1e-6)) < -0.5 for a, b in zip(pieces, pieces[1:]))
     return not sharp and all(piece.length() > 2.5 * radius and (piece.c is None or piece.radius() > 2 * radius) for piece in pieces)
 

@@ -238,7 +238,7 @@ def write_repeating(p, figure):
     return count, (p.mm(k), p.mm(i)), (p.mm(dw), p.mm(du) / 2)
 
 
-SEGMENTS = ((lambda p: roughing(p, 'Z', False), 5), (lambda p: roughing(p, 'Z', True), 6), (lambda p: roughing(p, 'X', False), 4),
+SEGMENTS = ((lambda p: roughing(p, 'Z', False), 5), (lambda p: roughing(p, 'Z', True), 6), (lambda p: roughing(p, 'X', False), 4), (lambda p: roughing(p, 'X', True), 2),
             (repeating, 3), (straight.single, 3), (straight.pecking, 3), (straight.multiple, 3))
 
 
