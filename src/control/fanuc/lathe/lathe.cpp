@@ -65,7 +65,11 @@ double start_angle_of(const BlockContext& m) {
   return w->has_point ? w->value : digits_of(m, 'Q') * least_degrees;
 }
 
-double run_out_leads(const BlockContext& m) { return fanuc_of(m).state.turning.cuts_through ? 0 : fanuc_of(m).settings.lathe.run_out; }
+double run_out_leads(const BlockContext& m) {
+  const TurningMemory& memory = fanuc_of(m).state.turning;
+  const bool on_lathe = m.def.behaviour.lathe != Lathe::none;  // INFERRED: G78.7 of the NCT has no run-out
+  return on_lathe && !memory.cuts_through ? memory.chamfer : 0;
+}
 
 Result<double> mean_lead(const BlockContext& m, double lead, const Axes& to, AxisMask named) {
   double travel = 0;

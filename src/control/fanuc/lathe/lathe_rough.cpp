@@ -104,14 +104,23 @@ Status set_pattern(BlockContext& m, const Call& call) {
   return {};
 }
 
+/// Returns twice the area that an arc encloses with its chord, mm²; positive if the arc is counter-clockwise.
+double twice_segment(const ContourPiece& piece) {
+  if (!piece.is_arc()) return 0;
+  const double angle = 2 * pi * piece.turns, radius = length(piece.from - piece.center);
+  const double area = radius * radius * (angle - std::sin(angle));
+  return piece.kind == MotionKind::arc_ccw ? area : -area;
+}
+
 /// Checks that G41 or G42 puts the nose on that side of the figure on which the cycle begins. The figure and the way back to the start
-/// point S enclose the stock, so S is on the left of the figure if they are traversed counter-clockwise. INFERRED: the manual names no
-/// rule, and the nose radius may be 0 (9.11). alarms figure_wrong_side (PS0328)
-Status check_side(const BlockContext& m, const std::vector<ContourPiece>& figure, const Call& call) {
+/// point S through `corner` enclose the stock, so S is on the left of the figure if they are traversed counter-clockwise. In G71 and G72
+/// the corner is at the level of S: the straight way from the end of a figure that ends in a pocket would lead through the part. INFERRED:
+/// the manual names no rule, and the nose radius may be 0 (9.11). alarms figure_wrong_side (PS0328)
+Status check_side(const BlockContext& m, const std::vector<ContourPiece>& figure, Vec2 corner, const Call& call) {
   if (m.modal.radius_side == 0 || m.def.behaviour.lathe != Lathe::fanuc) return {};
   const Vec2 start = figure.front().from;
-  double area = 0;
-  for (const ContourPiece& piece : figure) area += cross(piece.from - start, piece.to - start);
+  double area = cross(figure.back().to - start, corner - start);
+  for (const ContourPiece& piece : figure) area += cross(piece.from - start, piece.to - start) + twice_segment(piece);
   const bool left = (m.modal.radius_side < 0) != m.transform.reverses(m.modal.axes);
   const bool wrong = std::fabs(area) > tol::level && (area > 0) != left;
   return wrong ? fail(alarm(AlarmId::figure_wrong_side, call.where)) : Status();
@@ -145,10 +154,12 @@ Status rough_cycle(Interpreter& m, const Call& call) {
   auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
   drop_departure(m, *contour);
-  KADR_TRY(check_side(m, contour->pieces, call));
+  const bool facing = call.row->arg == 72.7_g;
+  const Vec2 start = contour->pieces.front().from, end = contour->pieces.back().to;
+  KADR_TRY(check_side(m, contour->pieces, facing ? Vec2{start.x, end.y} : Vec2{end.x, start.y}, call));
   const AxisMask both = 1u << m.modal.axes.first | 1u << m.modal.axes.second;
   RoughFigure::Settings shape;
-  shape.facing = call.row->arg == 72.7_g;
+  shape.facing = facing;
   shape.pockets = (contour->first_named & both) == both || asks_for_pockets(m);  // 9.3
   const Vec2 rough = rough_allowance(m);
   shape.allowance = allowance(m) + rough;
@@ -185,7 +196,7 @@ Status pattern_cycle(Interpreter& m, const Call& call) {
   if (!contour) return fail(contour.error());
   drop_departure(m, *contour);
   if (contour->pieces.front().is_arc()) return figure_fault(FigureFault::first_block, contour->pieces.front().block, call);
-  KADR_TRY(check_side(m, contour->pieces, call));
+  KADR_TRY(check_side(m, contour->pieces, contour->pieces.front().from, call));
   KADR_TRY(m.feed_known(call.where));
   const auto after = place_after(*contour);
   suspend_side(m);

@@ -26,7 +26,8 @@ Status no_point(const BlockContext& m, char letter);
 Status check_thread_words(const BlockContext& m, const Call& call);
 /// Returns the start angle of a thread in degrees: Q without a point counts 0.001° (spec/fanuc-t 8.1).
 double start_angle_of(const BlockContext& m);
-/// Returns the length of a thread's run-out in leads, which a parameter gives (spec/fanuc-t 8.4); 0 after M24 of a Haas (spec/haas-st 5).
+/// Returns the length of a thread's run-out in leads: that of the last first block of G76, before it that of the parameter, which are one
+/// datum (spec/fanuc-t 8.4, 9.9); 0 after M24 of a Haas (spec/haas-st 5).
 double run_out_leads(const BlockContext& m);
 /// Returns the mean lead in mm of a thread to the programmed point `to` whose lead changes by K per revolution (G34, spec/fanuc-t 8.2). The
 /// lead belongs to the axis with the longer travel.

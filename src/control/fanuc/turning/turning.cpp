@@ -214,8 +214,8 @@ Status cut_once(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G78.7, and G92 of lathes: cuts one pass of a thread. On a lathe, parameters 5130 and 5131 give the run-out (spec/fanuc-t 8.4). The NCT
-/// manual does not give its length. INFERRED: there is no run-out.
+/// G78.7, and G92 of lathes: cuts one pass of a thread, with the run-out of a lathe (spec/fanuc-t 8.4). The NCT manual does not give its
+/// length. INFERRED: there is no run-out.
 Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& memory = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
