@@ -60,7 +60,7 @@ void drop_repeated(BlockContext& m) {
     for (std::uint32_t k = 0; k < i; ++k) {
       Word& before = m.block->words[k];
       const bool same = before.address == last.address || one_axis(m, before, last);
-      if (!same || (is_code && group_of(before) != group)) continue;
+      if (!same || before.bare || (is_code && group_of(before) != group)) continue;  // an address without a number stays an alarm (1.3)
       before.address = 0;
       m.block->altered = true;
     }
