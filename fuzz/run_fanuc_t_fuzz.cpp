@@ -1,5 +1,5 @@
-// Fuzz target: complete runs of Fanuc lathe programs (run_program.h), on a lathe with C and Y axis whose turret has four tools with nose
-// radius, tip number and wear.
+// Fuzz target: complete runs of lathe programs (run_program.h), on a lathe with C and Y axis whose turret has four tools with nose radius,
+// tip number and wear. The control is Fanuc's; with the bit 128 of the first byte it is that of a Haas lathe.
 
 #include "run_program.h"
 
@@ -28,13 +28,16 @@ kadr::Setup lathe(unsigned switches) {
   return s;
 }
 
+kadr::fuzz::Shop shop_of(const char* control) {
+  kadr::fuzz::Shop s = kadr::fuzz::Shop::open(control);
+  s.setup = lathe;
+  return s;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const kadr::fuzz::Shop shop = [] {
-    kadr::fuzz::Shop s = kadr::fuzz::Shop::open("fanuc-t");
-    s.setup = lathe;
-    return s;
-  }();
-  return kadr::fuzz::run_program(shop, data, size);
+  constexpr std::uint8_t is_haas = 128;
+  static const kadr::fuzz::Shop fanuc = shop_of("fanuc-t"), haas = shop_of("haas-st");
+  return kadr::fuzz::run_program(size > 0 && (data[0] & is_haas) != 0 ? haas : fanuc, data, size);
 }

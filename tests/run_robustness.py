@@ -125,6 +125,66 @@ def check_empty(kadr):
         kadr.run('check', path, '--control', control, '--quiet')
 
 
+# ---- damaged programs of lathes
+
+HAAS_PART = """%
+O100
+G18 G40 G54 G80 G99
+G50 S1600
+T101
+G96 S150 M03
+G00 X50. Z2.
+G71 P10 Q40 U0.4 W0.1 D1.5 F0.2
+N10 G00 G42 X20.
+G01 Z0. F0.1
+G03 X30. Z-5. R5.
+N40 G01 G40 X46. Z-20.
+G70 P10 Q40 F0.1
+G76 X26. Z-4. K1.2 D0.4 A60 F2.
+G83 Z-30. R2. Q4. F0.1
+G80 G97
+M30
+%
+"""
+
+
+def damaged(lines, chance):
+    """Returns the lines with one of them lost, doubled, moved, cut off, or with a character lost, added or replaced."""
+    at = chance.randrange(len(lines))
+    line, how = lines[at], chance.randrange(7)
+    if how == 0:
+        return lines[:at] + lines[at + 1:]
+    if how == 1:
+        return lines[:at] + [line] + lines[at:]
+    if how == 2:
+        return lines[:at] + lines[at + 1:at + 2] + [line] + lines[at + 2:]
+    place = chance.randrange(len(line) + 1)
+    added = chance.choice('0123456789.-GXZUWRFTMNPQIKDCAS#[]()%/;,O')
+    changed = {3: line[:place], 4: line[:place] + line[place + 1:], 5: line[:place] + added + line[place:]}.get(how, line[:place] + added + line[place + 1:])
+    return lines[:at] + [changed] + lines[at + 1:]
+
+
+def check_damaged_lathe_programs(kadr):
+    chance = random.Random(7)
+    shaft = harness.ROOT / 'examples/fanuc-t/shaft.nc'
+    for control, text in (('fanuc-t', shaft.read_text(encoding='utf-8')), ('haas-st', HAAS_PART)):
+        path = kadr.file('whole.nc', text)
+        kadr.run('run', path, '--control', control, '--files', kadr.folder, '--quiet', expected=(0,))
+        for _ in range(60):
+            lines = damaged(text.splitlines(), chance)
+            path = kadr.file('damaged.nc', '\n'.join(damaged(lines, chance) if chance.random() < 0.3 else lines) + '\n')
+            kadr.run('run', path, '--control', control, '--files', kadr.folder, '--quiet')
+
+
+def check_lathe_figures_without_their_ends(kadr):
+    """A cycle whose P or Q block has lost its number never cuts."""
+    for control, text in (('haas-st', HAAS_PART), ('fanuc-t', HAAS_PART.replace('G71 P', 'G71 U1.5 R0.5\nG71 P').replace(' D1.5', '').replace('G42 ', '').replace('G40 X46', 'X46'))):
+        for number in ('N10 ', 'N40 '):
+            path = kadr.file('lost.nc', text.replace(number, ''))
+            found = kadr.faults(path, control)
+            expect('figure_block_missing' in found, f'{control} without {number}: {found}')
+
+
 # ---- files that cannot be read
 
 def check_directory(kadr):

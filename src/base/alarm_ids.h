@@ -71,7 +71,9 @@
   X(pattern_repeats) X(groove_relief) X(groove_end) X(groove_step) X(thread_angle)           \
   X(thread_cut_depth) X(thread_height) X(thread_lead_change) X(turning_axis)                 \
   X(chamfer_in_taper) X(chamfer_not_square) X(turret_number) X(figure_wrong_side)            \
-  X(corner_in_thread) X(corner_at_side_change) X(offset_value)                               \
+  X(corner_in_thread) X(corner_at_side_change) X(offset_value) X(cycle_block_unavailable)    \
+  X(contour_angle_end) X(contour_end_missing) X(feed_without_turns) X(tool_changer_code)     \
+  X(compensation_at_end) X(turning_tool_without_shape)                                       \
   /* alarms of zones (nct 22), in-position (nct 4.1.1), channels (nct 14.5) */               \
   X(zone1_positive) X(zone1_negative) X(zone2_positive) X(zone2_negative) X(zone2_inside)    \
   X(zone3_inside) X(zone2_entry) X(zone3_entry)                                              \
@@ -143,6 +145,6 @@
   X(levels_swapped) X(approach_short) X(compensation_left_on) X(compensation_ends_in_cut) X(arc_against_neighbours) \
   X(arc_nearly_full) X(rapid_below_zero) X(rapid_sideways_low) X(tool_change_low) X(units_changed) X(work_offset_once) \
   X(lines_unreachable) X(subprogram_uncalled) X(jump_to_nowhere) X(jump_to_two) X(mode_left_on) X(coordinate_far) \
-  X(tool_unused) X(speed_beyond_spindle) X(surface_speed_unlimited) X(thread_beyond_rapid) X(beyond_chuck_face) X(tool_not_in_table) X(table_tools_unused) X(offset_row_unused) \
- 
+  X(tool_unused) X(speed_beyond_spindle) X(surface_speed_unlimited) X(thread_beyond_rapid) X(beyond_chuck_face) X(tool_not_in_table) X(table_tools_unused) X(offset_row_unused)
+
 // clang-format on

@@ -124,6 +124,13 @@ class BlockContext : public ControlState, public RunMemory {
   bool block_machine_coordinates = false;  // the block has G53 and a motion (Mach3), so its axis words are machine coordinates
   bool needs_probe = false;
   Span probe_where;
+  /// A block of the program with its text.
+  struct BlockPlace {
+    Origin origin;
+    std::string text;
+  };
+  // The block that the alarm of the current block is about, if it is another one: a block of the figure that a turning cycle has read.
+  std::optional<BlockPlace> fault_place;
 
  protected:
   BlockContext(const ControlDef& control, std::unique_ptr<ControlDef> own, Program program, const RunLimits& limits)

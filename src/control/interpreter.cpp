@@ -265,7 +265,8 @@ void Interpreter::fail_with(const Alarm& failed) {
   stop_cycles();
   waiting_count_ = 0;
   close_block();
-  report = report_of(failed, origin, block->text);
+  report = fault_place ? report_of(failed, fault_place->origin, fault_place->text) : report_of(failed, origin, block->text);
+  fault_place.reset();
   if (follows_refused_motion(failed.id)) return keep_from_faulty_block();
   phase_ = RunPhase::stopped;
   dialect->failed(*this);

@@ -93,6 +93,7 @@ void give_machine(Setup& setup, const MachineProfile& profile, const ControlDef&
   const bool gives_axes = gives_kinematics || (lathe && profile.chains.given());
   if (gives_axes && setup.axes.empty() && setup.channels.empty()) setup.axes = axes_of(profile, lathe);
   const std::vector<std::string>& axes = setup.axes.empty() ? control.axes : setup.axes;
+  for (const auto& [code, text] : profile.m_codes) setup.machine_codes[code] = {text.en, text.ru};
   for (const std::string& axis : axes) setup.axis_limits[axis] = limits_of(profile, setup, axis);
   if (!gives_kinematics) return;
   const auto five = MachineTree(profile, axes).five_axis();

@@ -52,6 +52,16 @@ TEST(machine_profile, lathes) {
   EXPECT_TRUE(with_y.axes.at("C").joint.rolls_over);
 }
 
+TEST(machine_profile, m_codes) {
+  const MachineProfile with_y = load_machine("lathe-cy").value();
+  EXPECT_EQ(with_y.m_codes.at(35).en, "C axis on");
+  EXPECT_EQ(with_y.m_codes.at(35).ru, "ось C включена");
+  const std::string axes = "id = \"x\"\n[axes]\nX = {}\n";
+  for (const char* rows : {"m = 1", "[m]\nM68 = { en = \"a\" }", "[m]\n10000 = { en = \"a\" }", "[m]\n68 = \"a\"", "[m]\n68 = {}"})
+    EXPECT_NE(refusal(rows == std::string("m = 1") ? "m = 1\n" + axes : axes + rows).find("[m] must have rows"), std::string::npos) << rows;
+  EXPECT_NE(refusal(axes + "[m]\n68 = { de = \"a\" }").find("unknown key 'de'"), std::string::npos);
+}
+
 TEST(machine_profile, unknown_names_the_known) {
   EXPECT_EQ(load_machine("planer").error(),
             "no machine 'planer'; there are: generic, haas-st20, head-head, head-table, lathe-cy, lathe, linuxcnc-sim, mach3-router, "

@@ -53,6 +53,33 @@ TEST(give_machine, the_setup_goes_before) {
   EXPECT_TRUE(of_another.axes.empty());
 }
 
+const CodeRow* m_row(const ControlDef& def, std::int32_t number) {
+  const std::int32_t index = def.row_of('M', 10 * number);
+  return index < 0 ? nullptr : &def.codes[static_cast<std::size_t>(index)];
+}
+
+// The M codes that the machine's file names: known on a Haas, which refuses all others, and named on a Fanuc.
+TEST(give_machine, m_codes_of_the_machine) {
+  MachineProfile machine = load_machine("lathe").value();
+  machine.m_codes = {{3, {"not a spindle", ""}}, {10, {"collet", "цанга"}}, {55, {"steady rest", "люнет"}}};
+  for (const char* id : {"haas-st", "fanuc-t"}) {
+    kadr::Setup setup;
+    give_machine(setup, machine, *test::shared_control(id));
+    ControlDef def = *test::shared_control(id);
+    const CodeRow* const before = m_row(def, 55);
+    EXPECT_EQ(before != nullptr, id == std::string("fanuc-t"));
+    EXPECT_EQ(adapt_to_machine(def, setup), "") << id;
+    ASSERT_NE(m_row(def, 55), nullptr) << id;
+    EXPECT_EQ(m_row(def, 55)->text.en, "steady rest") << id;
+    EXPECT_EQ(m_row(def, 55)->function, Function::machine_function) << id;
+    EXPECT_EQ(m_row(def, 10)->text.ru, "цанга") << id;
+    EXPECT_EQ(m_row(def, 3)->function, Function::spindle_code) << id;
+    EXPECT_NE(m_row(def, 3)->text.en, "not a spindle") << id;
+    if (id == std::string("haas-st")) EXPECT_EQ(m_row(def, 56), nullptr);
+    else EXPECT_NE(m_row(def, 56)->text.en, "steady rest");
+  }
+}
+
 // The axes of a lathe are those of the machine: X Z, or X Z C Y.
 TEST(give_machine, a_lathe_names_its_axes) {
   kadr::Setup setup;

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -59,19 +60,20 @@ std::pair<std::string, std::string_view> cut(std::string_view text, char at) {
   return {std::string(text.substr(0, place)), text.substr(std::min(place + 1, text.size()))};
 }
 
+// The letters of --tool and the keys of the set-up; x, y, z, t are those of a turning tool.
+constexpr std::pair<std::string_view, const char*> tool_keys[] = {
+    {"r", "radius"}, {"l", "length"}, {"rw", "radius_wear"}, {"lw", "length_wear"}, {"x", "X"},      {"y", "Y"},
+    {"z", "Z"},      {"t", "tip"},    {"xw", "X_wear"},      {"yw", "Y_wear"},      {"zw", "Z_wear"}};
+
 std::optional<Json> tool(const std::string& text) {
   const auto [number, values] = cut(text, ':');
   const auto list = list_of(values);
   if (!is_whole(number) || !list) return std::nullopt;
   Json row = Json::object();
   for (const auto& [name, value] : *list) {
-    const char* const key = name == "r"    ? "radius"
-                            : name == "l"  ? "length"
-                            : name == "rw" ? "radius_wear"
-                            : name == "lw" ? "length_wear"
-                                           : nullptr;
-    if (key == nullptr || row.contains(key)) return std::nullopt;
-    row[key] = value;
+    const auto key = std::find_if(std::begin(tool_keys), std::end(tool_keys), [&](const auto& k) { return k.first == name; });
+    if (key == std::end(tool_keys) || row.contains(key->second)) return std::nullopt;
+    row[key->second] = value;
   }
   return Json{{"offsets", {{number, row}}}};
 }

@@ -165,6 +165,9 @@ namespace kadr {
   X(length_comp,          length,        none, code, nct,        usual, breaks_contour) \
   X(mirror_on,            transform,     own,  code, nct,        usual, leaves_mode) \
   X(mirror_off,           transform,     own,  code, nct,        usual, leaves_mode) \
+  X(turret_mirror,        transform,     none, code, nct,        usual, breaks_contour) \
+  X(second_spindle,       transform,     none, code, nct,        usual, breaks_contour) \
+  X(tool_changer_code,    length,        none, code, nct,        usual, nothing) \
   X(scaling_on,           transform,     own,  code, nct,        usual, leaves_mode) \
   X(scaling_off,          transform,     none, code, nct,        first, nothing) \
   X(plane_rotation_on,    transform,     own,  code, nct,        usual, leaves_mode) \

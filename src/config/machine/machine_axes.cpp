@@ -29,6 +29,7 @@ class Fitter {
     rows_that_take_axes();
     symbols();
     least_increments();
+    machine_codes();
     if (is_set("angles_from_minus")) {  // parameter 6004#0 (spec/fanuc 5.3)
       def_.grammar.expression.functions.replace(Op::atan_turn, Op::atan);
       def_.grammar.expression.functions.replace(Op::arc_sine_turn, Op::arc_sine);
@@ -45,6 +46,34 @@ class Fitter {
     for (const char letter : def_.grammar.least_increments) {
       if (def_.grammar.word(letter).known) def_.grammar.word(letter).counted = decimals;
       if (const char after_comma = comma_address(letter); after_comma != 0) def_.grammar.word(after_comma).counted = decimals;
+    }
+  }
+
+  /// Gives the M codes that the machine's file names rows of their own. A code that the control itself executes keeps its row. On a control
+  /// that knows only the codes of its list, such as a Haas, a code becomes known by this (spec/fanuc-t 2.4, spec/haas-st 9).
+  void machine_codes() {
+    constexpr std::uint32_t tenths = 10;
+    for (const auto& [number, text] : setup_.machine_codes) {
+      const auto tenth = static_cast<std::int32_t>(number * tenths);
+      const std::int32_t index = def_.row_of('M', tenth);
+      const bool shared = index >= 0 && index == def_.m_user_row;
+      if (index >= 0 && !shared && def_.codes[static_cast<std::size_t>(index)].function != Function::machine_function) continue;
+      CodeRow row;
+      if (index >= 0) row = def_.codes[static_cast<std::size_t>(index)];
+      row.code = "M" + std::to_string(number);
+      row.letter = 'M';
+      row.tenth = tenth;
+      row.function = Function::machine_function;
+      row.phase = index >= 0 ? row.phase : Phase::machine;
+      row.takes |= letter_bit('P') | letter_bit('Q');
+      row.text = {text.first, text.second};
+      if (index >= 0 && !shared) {
+        def_.codes[static_cast<std::size_t>(index)] = std::move(row);
+        continue;
+      }
+      if (def_.m_rows.size() <= static_cast<std::size_t>(tenth)) def_.m_rows.resize(static_cast<std::size_t>(tenth) + 1, -1);
+      def_.m_rows[static_cast<std::size_t>(tenth)] = static_cast<std::int16_t>(def_.codes.size());
+      def_.codes.push_back(std::move(row));
     }
   }
 

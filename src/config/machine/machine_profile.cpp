@@ -4,6 +4,7 @@
 #include "config/machine/machine_profile.h"
 
 #include <algorithm>
+#include <charconv>
 #include <initializer_list>
 #include <tuple>
 
@@ -146,11 +147,35 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
   return axis;
 }
 
+/// Reads `[m]`, the names of the machine's M codes: `68 = { en = "chuck clamp", ru = "патрон зажать" }`.
+Done m_codes_of(const std::string& file, const toml::table& table, MachineProfile& profile) {
+  constexpr std::uint32_t most = 9999;
+  const toml::node* const node = table.get("m");
+  if (node == nullptr) return {};
+  const toml::table* const rows = node->as_table();
+  if (rows == nullptr) return Failed(place(file, *node) + translated(texts::machine_file::m_form));
+  for (const auto& [key, row] : *rows) {
+    const std::string_view digits = key.str();
+    std::uint32_t number = 0;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const toml::table* const names = row.as_table();
+    if (fault != std::errc() || end != digits.data() + digits.size() || number > most || names == nullptr)
+      return Failed(place(file, row) + translated(texts::machine_file::m_form));
+    if (auto done = known_keys(file, *names, {"en", "ru"}); !done) return done;
+    Text text = toml_tools::text_of(*names);
+    if (text.en.empty() && text.ru.empty()) return Failed(place(file, row) + translated(texts::machine_file::m_form));
+    if (text.en.empty()) text.en = text.ru;
+    if (text.ru.empty()) text.ru = text.en;
+    profile.m_codes[number] = std::move(text);
+  }
+  return {};
+}
+
 tl::expected<MachineProfile, std::string> profile_of(const std::string& file, const toml::table& table) {
   MachineProfile profile;
   if (auto done = known_keys(
           file, table,
-          {"id", "name", "tool_change", "spindle_start", "spindle_speed", "tolerance", "planner", "axes", "kinematics", "bodies"});
+          {"id", "name", "tool_change", "spindle_start", "spindle_speed", "tolerance", "planner", "axes", "kinematics", "bodies", "m"});
       !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
@@ -179,6 +204,7 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
   }
   if (auto done = kinematics_of(file, table, profile); !done) return Failed(done.error());
   if (auto done = bodies_of(file, table, profile); !done) return Failed(done.error());
+  if (auto done = m_codes_of(file, table, profile); !done) return Failed(done.error());
   return profile;
 }
 

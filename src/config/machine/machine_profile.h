@@ -9,6 +9,7 @@
 
 #include "base/file_access.h"
 #include "base/vec.h"
+#include "config/control/control_def.h"
 #include "config/machine/machine_bodies.h"
 
 namespace kadr {
@@ -52,6 +53,7 @@ struct MachineProfile {
   std::map<std::string, AxisProfile> axes;  // axes of the machine by name; an axis that is not listed has the values of AxisProfile{}
   AxisChains chains;
   std::vector<MachineBody> bodies;
+  std::map<std::uint32_t, Text> m_codes;  // what the machine's M codes do, by number: M68 "chuck clamp"
   double tool_change_s = 10;
   double spindle_start_s = 0;
   double most_rpm = 0;      // highest spindle speed, rev/min; 0: the file does not state it

@@ -178,6 +178,8 @@ struct Setup {
   std::map<std::string, AxisLimits> machine;  // limits by axis name; "*": limits of all axes
   // Limits that the session combines from set-up and machine file. The set-up has no key for them.
   std::map<std::string, std::pair<double, double>> axis_limits;
+  // The M codes that the machine's file names, by number, with their names in English and Russian. The set-up has no key for them.
+  std::map<std::uint32_t, std::pair<std::string, std::string>> machine_codes;
   // Rotary axes of the machine; if the set-up states the same values as parameters, the parameters take precedence
   KinematicsSetup kinematics;
   std::map<int, SpindleSetup> spindles;

@@ -122,7 +122,7 @@ std::optional<CornerResolver::Start> CornerResolver::join(const Action& action, 
   const bool same_plane = is_element(m) && m.first == held().first && m.second == held().second;
   const bool calculated = is_over_determined(its) && same_plane;
   if (is_shaped(own) && !(same_plane && alone_in_plane(m))) return failed(AlarmId::corner_illegal, now_.held->action.origin);
-  if (has_only_direction(own) && !calculated) return failed(AlarmId::contour_no_intersection, now_.held->action.origin);
+  if (has_only_direction(own) && !calculated) return failed(AlarmId::contour_angle_end, now_.held->action.origin);
   if (is_over_determined(its) && !calculated) return failed(AlarmId::contour_no_intersection, action.origin);
   Start start{now_.held->end, {}, 0, calculated};
   if (calculated) {
@@ -263,7 +263,7 @@ void CornerResolver::finish(Follows follows) {
   const CornerData* const c = contour_of(held());
   const Origin origin = now_.held->action.origin;
   if (follows == Follows::nothing && is_shaped(c)) return fail(AlarmId::corner_illegal, origin);
-  if (follows == Follows::nothing && has_only_direction(c)) return fail(AlarmId::contour_no_intersection, origin);
+  if (follows == Follows::nothing && has_only_direction(c)) return fail(AlarmId::contour_end_missing, origin);
   if (has_only_direction(c)) drop();
   else release();
 }

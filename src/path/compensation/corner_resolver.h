@@ -26,8 +26,9 @@ class CornerResolver {
   explicit CornerResolver(const ToolPosition& start) { now_.at = start; }
 
   /// Processes a batch and replaces its actions by the actions that are final.
-  ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), reported at the block before the
-  ///           corner; the batch then has only the actions before that block
+  ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), contour_angle_end,
+  ///   contour_end_missing,
+  ///           reported at the block before the corner; the batch then has only the actions before that block
   ///   law     without chamfers, roundings and over-determined blocks (NCT 17.3) the output equals the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 

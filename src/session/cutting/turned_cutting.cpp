@@ -141,7 +141,7 @@ Status TurnedCutting::consume(const Step& step, const MachineTime& time) {
     leave_out(step);
     return {};
   }
-  if (tool == nullptr) return cuts ? Status(fail(alarm(AlarmId::tool_without_shape, {}, double(tool_)))) : Status();
+  if (tool == nullptr) return cuts ? Status(fail(alarm(AlarmId::turning_tool_without_shape, {}, double(tool_)))) : Status();
   Moved moved{std::move(*path), step.action.origin, tool, use_of(tool_), fault_of(motion), cuts, false, false, 0,
               time.begins,      time.seconds};
   moved.threads = motion.kind == MotionKind::thread && tool->shape.turns();

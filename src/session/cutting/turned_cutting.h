@@ -40,7 +40,8 @@ class TurnedCutting {
   std::function<void(const CutFinding&)> on_finding;
   std::function<void(const BlockLoad&)> on_block;
 
-  /// Processes a step. Returns the alarm tool_without_shape if neither the tools file nor the offset table tells the form of the tool.
+  /// Processes a step. Returns the alarm turning_tool_without_shape if neither the tools file nor the offset table tells the form of the
+  /// tool.
   Status consume(const Step& step, const MachineTime& time);
   /// Declares that no step follows.
   void finish();

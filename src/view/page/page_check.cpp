@@ -1,5 +1,8 @@
 // Answers the requests `check` and `explain`, about the text of a program. Used by view/page/page_session; tested by tests/serve.py.
 
+#include <algorithm>
+
+#include "config/machine/machine_codes.h"
 #include "out/text/explain/line_words.h"
 #include "session/checklist/program_check.h"
 #include "view/page/page_inside.h"
@@ -9,6 +12,15 @@ namespace {
 
 constexpr std::size_t max_problems = 1000;
 constexpr std::size_t max_explained = 10'000;  // greatest length in bytes of a line that is explained; the rest of a longer line is ignored
+
+/// Returns the name that the machine's file gives to an M code; nullptr if it gives none, or if the control executes the code itself.
+const Text* name_by_machine(const OpenedProgram& opened, const std::string& code) {
+  const auto found = std::find_if(opened.machine.m_codes.begin(), opened.machine.m_codes.end(),
+                                  [&](const auto& named) { return "M" + std::to_string(named.first) == code; });
+  if (found == opened.machine.m_codes.end()) return nullptr;
+  const CodeRow* const row = machine_row(*opened.def, found->first);
+  return row == nullptr || row->function == Function::machine_function ? &found->second : nullptr;
+}
 
 }  // namespace
 
@@ -43,8 +55,10 @@ PageSession::Inside::Answer PageSession::Inside::explain(const PageJson& questio
   }
   if (text.size() > max_explained) text.resize(max_explained);
   PageJson words = PageJson::array();
-  for (const LineWord& w : words_of_line(*run->opened().def, *run->opened().texts, text, lang))
+  for (LineWord& w : words_of_line(*run->opened().def, *run->opened().texts, text, lang)) {
+    if (const Text* const named = name_by_machine(run->opened(), w.code)) w.title = lang == Lang::ru ? named->ru : named->en;
     words.push_back({{"from", w.from}, {"to", w.to}, {"code", w.code}, {"title", w.title}, {"text", w.text}});
+  }
   return PageJson{{"words", std::move(words)}};
 }
 

@@ -60,12 +60,60 @@ void drop_repeated(BlockContext& m) {
     for (std::uint32_t k = 0; k < i; ++k) {
       Word& before = m.block->words[k];
       const bool same = before.address == last.address || one_axis(m, before, last);
-      if (!same || (is_code && group_of(before) != group)) continue;
+      if (!same || before.bare || (is_code && group_of(before) != group)) continue;  // an address without a number stays an alarm (1.3)
       before.address = 0;
       m.block->altered = true;
     }
   }
   if (m.block->altered) m.note_addresses();
+}
+
+/// Drops a block number behind other words, as in `M01N02`, with a warning. INFERRED: the words of a block may have any order (spec/fanuc
+/// 1.2), and real programs have it; GOTO and cycles do not find such a number, because N must be the first word (5.4).
+void drop_late_number(Emitter& m) {
+  if (!m.has('N') || !m.def.behaviour.words_passed_over) return;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address != 'N') continue;
+    m.warn(warning(AlarmId::block_number_position, w.where));
+    w.address = 0;
+    m.block->altered = true;
+  }
+  if (m.block->altered) m.note_addresses();
+}
+
+/// Checks that a block with a multiple repetitive cycle of a Fanuc lathe has no other code that acts once, none of group 01, no unit, and
+/// no call or return (spec/fanuc-t 9.1).
+///   alarms  cycle_block_unavailable (PS0066)
+Status check_cycle_block(const BlockContext& m) {
+  if (m.def.behaviour.lathe != Lathe::fanuc || !m.has_code({Function::turning_cycle})) return {};
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const std::int32_t index = w.address == 0 || w.code < 0 ? -1 : m.def.row_of(w.address, w.code);
+    if (index < 0) continue;
+    const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
+    const Fanuc& fanuc = fanuc_of(m);
+    const bool own = row.function == Function::turning_cycle;
+    const bool acts_once = w.address == 'G' && (!row.modal || row.group == fanuc.motion_group || row.group == fanuc.drilling_group);
+    const bool unit = row.function == Function::inch || row.function == Function::millimetre;
+    if (!own && (acts_once || unit || row.phase == Phase::flow))
+      return fail(alarm(AlarmId::cycle_block_unavailable, w.where, m.block->text_of(w.where)));
+  }
+  return {};
+}
+
+/// Checks that compensation is off where the program ends, on a control that has an alarm for this (spec/haas-st 8). INFERRED: G40 in the
+/// block of the end is enough.
+///   alarms  compensation_at_end (Haas 349)
+Status check_end(const BlockContext& m) {
+  if (m.modal.radius_side == 0 || !m.def.gives(AlarmId::compensation_at_end)) return {};
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const std::int32_t index = w.address != 'M' || w.code < 0 ? -1 : m.def.row_of('M', w.code);
+    const bool ends = index >= 0 && m.def.codes[static_cast<std::size_t>(index)].function == Function::program_end;
+    if (ends && !m.has_code({Function::radius_side})) return fail(alarm(AlarmId::compensation_at_end, w.where, m.block->text_of(w.where)));
+  }
+  return {};
 }
 
 /// Checks that no address occurs twice in the block, even in different spellings, and that the block has no more M codes than the control
@@ -208,6 +256,7 @@ Result<bool> before_plan(Interpreter& m) {
     return false;
   }
   if (const ShapeFacts* const shape = m.shape(); shape != nullptr && shape->words_right && !looks_closer) {
+    KADR_TRY(check_end(m));
     KADR_TRY(check_points(m));
     count_increments(m);
     KADR_TRY(check_values(m));
@@ -223,6 +272,9 @@ Result<bool> before_plan(Interpreter& m) {
     m.block->checked = m.block->letters;
     return false;
   }
+  drop_late_number(m);
+  KADR_TRY(check_cycle_block(m));
+  KADR_TRY(check_end(m));
   KADR_TRY(check_points(m));
   if (m.def.behaviour.later_word_counts == LaterWord::everywhere) drop_repeated(m);
   count_increments(m);

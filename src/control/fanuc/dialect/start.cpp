@@ -276,6 +276,7 @@ bool Fanuc::lose_power(Interpreter& m) {
 void Fanuc::begin_block(Emitter& m) {
   MacroB::begin_block(m);
   m.journal.keep<MotionMemory>(state);
+  m.fault_place.reset();
 }
 
 void Fanuc::keep_all() {

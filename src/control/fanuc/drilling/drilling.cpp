@@ -312,6 +312,7 @@ void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
   if (row.letter == 'M' && fanuc_of(m).settings.part_code != 0 && tenth == 10 * fanuc_of(m).settings.part_code)
     macro_b_of(m).state.parts_done += 1;  // 13.1: this M code counts a finished part
   if (row.letter == 'M' && is_haas(m)) note_run_out(fanuc_of(m), row);
+  if (row.function == Function::machine_function) fanuc_of(m).state.machine_may_turn = true;
   note_mirror_code(m, row);
   if (row.group != fanuc_of(m).motion_group) return;
   // 19.1: a code of group 1 ends the simple turning cycle

@@ -55,6 +55,9 @@ void refresh_sums(BlockContext& m) {
     f.shift[a] = m.modal.new_system[a] + m.modal.local[a];
     f.length[a] = m.modal.lengths[a];
   }
+  // spec/fanuc-t 11.3
+  if (const int x = main_axis(m, 1); fanuc_of(m).state.second_turret && x >= 0)
+    f.origin[static_cast<std::size_t>(x)] += fanuc_of(m).settings.lathe.turret_distance;
   if (f.turn == nullptr) {
     for (std::size_t a = 0; a < m.axis_count; ++a) f.origin[a] += f.shift[a];
     f.shift = {};
@@ -133,11 +136,25 @@ void add_programmed_end(BlockContext& m, Motion& motion) {
   detail.has_programmed = true;
 }
 
+/// Warns once of a cut with feed per revolution while every spindle stands: the axes of a lathe wait then (spec/fanuc-t 3.7, U). INFERRED:
+/// after a code of the machine no warning is possible, because the code may have started a live tool.
+void watch_turns(Emitter& m, const Motion& motion) {
+  Fanuc& fanuc = fanuc_of(m);
+  if (fanuc.standing_reported || fanuc.reads_figure || m.modal.feed_mode != FeedMode::per_revolution) return;
+  if (motion.kind != MotionKind::feed && motion.kind != MotionKind::arc_cw && motion.kind != MotionKind::arc_ccw) return;
+  if (fanuc.state.machine_may_turn) return;
+  for (const SpindleState& spindle : fanuc.state.spindles)
+    if ((spindle.dir == SpindleDir::cw || spindle.dir == SpindleDir::ccw) && (spindle.rpm > 0 || m.modal.surface_speed)) return;
+  fanuc.standing_reported = true;
+  m.warn(warning(AlarmId::feed_without_turns, m.block->where));
+}
+
 }  // namespace
 
 void note_motion(Emitter& m, Motion& motion) {
   Fanuc& fanuc = fanuc_of(m);
   fanuc.moved = true;
+  if (fanuc.settings.lathe.is_lathe) watch_turns(m, motion);
   const bool plain = m.transform.identity && m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane;
   motion.as_programmed = plain && motion.kind != MotionKind::probe;
   if (!plain && fanuc.state.five_axis.frame != SpaceFrame::none) add_programmed_end(m, motion);

@@ -29,6 +29,9 @@ void start_turning_memory(Fanuc& fanuc);
 Status turret(Emitter& m, const Call& call);
 /// Ends the tool offset without a motion: a reset, if 5003#6 is set (spec/fanuc-t 1.2). The caller then updates the frames.
 void end_turret_offset(BlockContext& m);
+/// Returns the number of the imaginary tip as it acts: on the second turret (G68) the tips on the two sides of the nose change places
+/// (spec/fanuc-t 11.3).
+std::uint8_t nose_in_force(const BlockContext& m, std::uint8_t tip);
 /// Executes G10 without L, and that with the L of is_turret_table(): sets the tool offsets (spec/fanuc-t 4.3, spec/haas-st 3).
 ///   alarms  table_kind_unknown (PS0031), offset_value (PS0032), word_missing
 Status set_turret_offset(Emitter& m, const Call& call);

@@ -51,6 +51,8 @@ Status take_words(Emitter& m, DrillingMemory& memory) {
   if (m.has('R')) {
     const bool halves = fanuc_of(m).settings.lathe.level_is_diameter && is_diameter(m, memory.axis);
     memory.level = m.length_value('R') * (halves ? 0.5 : 1);
+    // In system A R is a position whenever 5102#6 says so; in B and C G91 makes it a distance (10.1, U)
+    memory.level_added = !(fanuc_of(m).settings.lathe.level_is_position && m.modal.absolute);
   }
   if (m.def.behaviour.lathe == Lathe::fanuc) KADR_TRY(no_point(m, 'Q'));  // 1.4
   if (m.has('Q')) memory.peck = std::fabs(step_of(m, 'Q'));
@@ -79,7 +81,7 @@ Result<DrillingRun::Job> job_of(const Emitter& m, const Call& call, const Drilli
   job.axis = memory.axis;
   job.passes = holes;
   job.initial = memory.initial;
-  job.level = memory.initial + memory.level;
+  job.level = memory.level_added ? memory.initial + memory.level : memory.level;
   job.bottom = memory.bottom_added ? job.level + memory.bottom : memory.bottom;
   // System A has no G98 and G99: the tool always returns to the initial level (1.1)
   const bool has_levels =
@@ -88,6 +90,7 @@ Result<DrillingRun::Job> job_of(const Emitter& m, const Call& call, const Drilli
   job.peck = memory.peck;
   job.clearance = fanuc.settings.return_g73;
   job.dwell = memory.dwell;
+  job.out_percent = s.boring_back_percent;
   for (const double level : {job.level, job.bottom, job.initial})
     if (!(std::fabs(level) <= farthest))
       return fail(alarm(AlarmId::position_out_of_range, call.where, std::string_view(m.axis_names[memory.axis]), level));

@@ -38,6 +38,12 @@ Result<GrooveWords> groove_words(const BlockContext& m) {
   return GrooveWords{step_of(m, 'P'), step_of(m, 'Q'), m.length_value('R')};
 }
 
+/// Warns of the words of the format of one block in a first block of G76, where they have no meaning (9.9, 9.10).
+void pass_over_thread_words(Emitter& m) {
+  for (const char letter : {'I', 'K', 'D', 'A'})
+    if (m.has(letter)) m.warn(warning(AlarmId::word_passed_over, m.where(letter), m.block->text_of(m.where(letter))));
+}
+
 /// Reads the first block of G76: P mmrraa, Q the least depth, R the finishing allowance (9.9).
 Status set_thread_data(BlockContext& m) {
   TurningMemory& memory = fanuc_of(m).state.turning;
@@ -135,7 +141,10 @@ Status lathe_groove(Emitter& m, const Call& call) {
 }
 
 Status lathe_thread(Emitter& m, const Call& call) {
-  if (!m.has_axis_words() && !is_haas(m)) return set_thread_data(m);
+  if (!m.has_axis_words() && !is_haas(m)) {
+    pass_over_thread_words(m);
+    return set_thread_data(m);
+  }
   ThreadJob job;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());

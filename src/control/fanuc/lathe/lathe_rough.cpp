@@ -204,6 +204,16 @@ Status pattern_cycle(Interpreter& m, const Call& call) {
   return {};
 }
 
+/// Warns of positions in a block of G71 to G73, such as X for U: the words have no meaning there (9.1).
+void pass_over_positions(Emitter& m) {
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const bool position = w.address != 0 && (m.letters.axes & letter_bit(w.address)) != 0 &&
+                          m.def.address(w.address).function != Function::increment_axis && w.address != 'U' && w.address != 'W';
+    if (position) m.warn(warning(AlarmId::word_passed_over, w.where, m.block->text_of(w.where)));
+  }
+}
+
 /// The cycles are executed in the plane, in which the program's coordinates are those of the machine.
 Status in_plane(const BlockContext& m, const Call& call) {
   // spec/haas-st 6.2: G18 must be in force
@@ -216,12 +226,14 @@ Status in_plane(const BlockContext& m, const Call& call) {
 
 Status lathe_rough(Interpreter& m, const Call& call) {
   KADR_TRY(in_plane(m, call));
+  pass_over_positions(m);
   if (!is_cycle_block(m)) return set_rough(m, call, call.row->arg == 72.7_g ? 'W' : 'U');
   return rough_cycle(m, call);
 }
 
 Status lathe_pattern(Interpreter& m, const Call& call) {
   KADR_TRY(in_plane(m, call));
+  pass_over_positions(m);
   if (!is_cycle_block(m)) return set_pattern(m, call);
   return pattern_cycle(m, call);
 }

@@ -25,13 +25,12 @@ struct TurretCall {
   std::uint32_t tool = 0, offset = 0;
 };
 
-/// Returns the parts of a T word: T0101 and T101 are tool 1 with offset 1; with 5002#0 the last digit alone is the offset. INFERRED: T1 of
-/// a Haas is tool 1 without an offset (spec/haas-st 3, U).
+/// Returns the parts of a T word: T0101 and T101 are tool 1 with offset 1; with 5002#0 the last digit alone is the offset, with 5028 as
+/// many digits as it says. INFERRED: T1 of a Haas is tool 1 without an offset (spec/haas-st 3, U).
 TurretCall parts_of(const LatheSettings& s, std::uint32_t number) {
   constexpr std::uint32_t two_digits = 100;
   if (s.is_haas && number < two_digits) return {number, 0};
-  const std::uint32_t offsets = s.offset_one_digit ? 10 : 100;
-  return {number / offsets, number % offsets};
+  return {number / s.offset_numbers, number % s.offset_numbers};
 }
 
 TurretLengths lengths_of(const BlockContext& m, const TurretCall& t) {
@@ -45,8 +44,9 @@ TurretLengths lengths_of(const BlockContext& m, const TurretCall& t) {
   const double wears[] = {wear.length_x_wear, wear.length_y_wear, wear.length_wear};
   for (int role = 1; role <= 3; ++role)
     if (const int axis = main_axis(m, role); axis >= 0) {
-      of.geometry[static_cast<std::size_t>(axis)] = geometries[role - 1];
-      of.wear[static_cast<std::size_t>(axis)] = wears[role - 1];
+      const double sense = role == 1 && fanuc_of(m).state.second_turret ? -1 : 1;  // spec/fanuc-t 11.3
+      of.geometry[static_cast<std::size_t>(axis)] = sense * geometries[role - 1];
+      of.wear[static_cast<std::size_t>(axis)] = sense * wears[role - 1];
     }
   return of;
 }
@@ -119,7 +119,7 @@ Status turret(Emitter& m, const Call& call) {
   const ToolOffset& row = t.offset < m.tables.offsets.size() && t.offset != 0 ? m.tables.offsets[t.offset] : none;
   if (t.offset != 0) m.use.note(UseKind::length, t.offset, m.origin, row == none);
   fanuc.state.tool_radius = row.whole_radius();
-  fanuc.state.nose = static_cast<std::uint8_t>(row.tip_position);
+  fanuc.state.nose = nose_in_force(m, static_cast<std::uint8_t>(row.tip_position));
   return put_in_force(m, lengths_of(m, t));
 }
 

@@ -76,6 +76,7 @@ int spindle_of_block(const BlockContext& m) {
     if (named != 0) return named;
     if (m.modal.surface_speed) return fanuc.state.main_spindle;
     if (fanuc.spindle_by_p != 0) return fanuc.spindle_by_p;
+    if (fanuc.settings.lathe.is_lathe) return fanuc.state.main_spindle;  // G14 of a Haas makes it the second one
     return fanuc.settings.default_spindle > 0 ? fanuc.settings.default_spindle : 1;
   }
   return fanuc.state.current_spindle;
@@ -150,6 +151,7 @@ Status spindle_code(Emitter& m, const Call& call) {
   const int number = fanuc.state.current_spindle;
   fanuc::SpindleState& s = fanuc.spindle(number);
   s.master = 0;
+  fanuc.state.machine_may_turn = false;
   const bool turned = s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw;
   // When G97 ends G96, the present spindle speed remains in force (11.5.1).
   if (turned && m.modal.surface_speed && number == fanuc.state.main_spindle) s.rpm = fanuc.css_rpm(m);

@@ -60,6 +60,8 @@ struct UndoableState : MotionMemory {
   TurningMemory turning;
   double tool_radius = 0;                // tool radius in mm of offset D, stored when D was programmed (15.1)
   std::uint8_t nose = 0;                 // number of the imaginary tip of the offset in force, 0 to 9 (spec/fanuc-t 7.1)
+  bool machine_may_turn = false;         // a code of the machine may have started a spindle since M3, M4 or M5
+  bool second_turret = false;            // G68 is in force: X is mirrored for the second turret (spec/fanuc-t 11.3)
   Axes wear{};                           // the part of the tool's lengths in force that is wear, mm (spec/fanuc-t 4.1)
   std::optional<Vec2> direction_vector;  // direction vector I J K of G41, G42, G40
   CompensationCheck compensation_check;  // settings of compensation that the room `path` received last
@@ -114,7 +116,9 @@ struct Memory {
   std::vector<std::pair<std::size_t, int>> spindle_axes;
   Axes probe_position{}, probe_length{};  // work coordinates and tool length (as a vector) at the time of the probe's signal, mm
   Axes probe_machine{};
-  Measurement measurement;  // purpose of the probe motion in progress
+  Measurement measurement;         // purpose of the probe motion in progress
+  bool reads_figure = false;       // the motions are those of a figure that a turning cycle reads
+  bool standing_reported = false;  // the warning feed_without_turns has been given
   // for the state file: what has changed in the tables since that file was last written
   bool tables_changed = false;
   std::vector<std::uint32_t> changed_offsets;

@@ -63,7 +63,9 @@ void read_lathe(Settings& s, const ParameterSource& p, const std::vector<std::st
   const auto on = [&](const char* meaning) { return p.value(meaning, 0) != 0; };
   l.corners_without_comma = on("corners_without_comma");
   l.offset_ends = on("offset_ends");
-  l.offset_one_digit = on("offset_one_digit");
+  constexpr int most_digits = 4;
+  const int digits = std::clamp(macro_b::whole_parameter(p.value("offset_digits", 0)), 0, most_digits);
+  l.offset_numbers = on("offset_one_digit") ? 10 : digits == 0 ? 100 : static_cast<std::uint32_t>(std::lround(std::pow(10, digits)));
   l.geometry_by_tool = on("geometry_by_tool");
   l.wear_shifts = on("wear_shifts");
   l.geometry_moves = on("geometry_moves");
@@ -71,7 +73,13 @@ void read_lathe(Settings& s, const ParameterSource& p, const std::vector<std::st
   l.offsets_are_radii = on("offsets_are_radii");
   l.pecks_to_level = on("pecks_to_level");
   l.level_is_diameter = on("level_is_diameter");
+  l.level_is_position = on("level_is_position") && on("one_block_format");
+  l.tool_changer = on("tool_changer");
+  l.turret_distance = p.value("turret_distance", 0) / 2;
   l.feed_per_minute = on("feed_per_minute");
+  l.approach_own_block = on("approach_own_block");
+  constexpr double percent_per_unit = 10;
+  if (const double back = p.value("boring_back", 0); back > 0) l.boring_back_percent = percent_per_unit * back;
   l.clamp_code = macro_b::whole_parameter(p.value("clamp_code", 0));
   l.release_dwell = p.value("release_dwell", 0) / 1000;
   l.run_out = p.value("run_out", 0) / 10;

@@ -51,19 +51,25 @@ struct LatheSettings {
   bool inch_at_start = false;          // Haas setting 9: G20 is in force at power-on
   bool corners_without_comma = false;  // 3405#4 CCR: C, R, A of G1 mean ,C ,R ,A
   bool offset_ends = false;            // 5003#6 LVC: a reset ends the tool offset
-  bool offset_one_digit = false;       // 5002#0 LD1: the last digit alone of T is the offset number
-  bool geometry_by_tool = false;       // 5002#1 LGN: the geometry offset has the number of the tool, not of the offset
-  bool wear_shifts = false;            // 5002#2 LWT: the wear shifts the work system; false: the axes move by it
-  bool geometry_moves = false;         // 5002#4 LGT: the axes move by the geometry; false: it shifts the work system
-  bool wear_waits = false;             // 5002#6 LWM: the axes move by the wear with the next motion, not in the block of T
-  bool offsets_are_radii = false;      // 5004#1 ORC: the offsets of X that a program reads and writes are radii, not diameters
-  bool pecks_to_level = false;         // 5101#2 RTR: between the pecks of G83 and G87 the tool returns to R
-  bool level_is_diameter = false;      // 5102#7 RDI: R of drilling along X is a diameter
-  bool feed_per_minute = false;        // 3402#4 FPM: the feed per minute is in force at power-on
-  int clamp_code = 0;                  // 5110: M code that clamps the C axis for drilling; 0: none
-  double release_dwell = 0;            // 5111: dwell after the C axis is released, s
-  double run_out = 0;                  // 5130: length of a thread's run-out, in leads
-  double run_out_angle = 45;           // 5131: angle of the run-out to the axis of the thread, degrees
+  // 5028, 5002#0 LD1: ten to the power of the number of digits of the offset in T
+  std::uint32_t offset_numbers = 100;
+  bool geometry_by_tool = false;     // 5002#1 LGN: the geometry offset has the number of the tool, not of the offset
+  bool wear_shifts = false;          // 5002#2 LWT: the wear shifts the work system; false: the axes move by it
+  bool geometry_moves = false;       // 5002#4 LGT: the axes move by the geometry; false: it shifts the work system
+  bool wear_waits = false;           // 5002#6 LWM: the axes move by the wear with the next motion, not in the block of T
+  bool offsets_are_radii = false;    // 5004#1 ORC: the offsets of X that a program reads and writes are radii, not diameters
+  bool pecks_to_level = false;       // 5101#2 RTR: between the pecks of G83 and G87 the tool returns to R
+  bool level_is_diameter = false;    // 5102#7 RDI: R of drilling along X is a diameter
+  bool level_is_position = false;    // 5102#6 RAB, with 0001#1 FCV: R of drilling is a coordinate, not a distance
+  bool tool_changer = false;         // 5040#3 TCT: the lathe has a tool changer, so that G49 is a code
+  double turret_distance = 0;        // 1290: shift of X in G68, mm, as a radius
+  bool feed_per_minute = false;      // 3402#4 FPM: the feed per minute is in force at power-on
+  bool approach_own_block = false;   // 5003#1 SUV: start-up of type C, which Kadr does not have
+  double boring_back_percent = 100;  // 5121: feed of the way back of G85 and G89, % of F
+  int clamp_code = 0;                // 5110: M code that clamps the C axis for drilling; 0: none
+  double release_dwell = 0;          // 5111: dwell after the C axis is released, s
+  double run_out = 0;                // 5130: length of a thread's run-out, in leads
+  double run_out_angle = 45;         // 5131: angle of the run-out to the axis of the thread, degrees
 };
 
 /// Parameters of Fanuc's multiple repetitive turning cycles (spec/fanuc-t 9, 13). Lengths in mm; depths are radii.

@@ -45,6 +45,7 @@ class DryRun {
     m.modal.feed_known = true;
     m.modal.feed = 1;
     fanuc_of(m).uncompensated = false;
+    fanuc_of(m).reads_figure = true;
     if (m.modal.radius_side != 0) fanuc_of(m).state.side_step = SideStep::begins;
   }
   ~DryRun() {
@@ -59,6 +60,7 @@ class DryRun {
     macro_b_of(m_).state = macros_;
     macro_b_of(m_).moved = moved_;
     fanuc_of(m_).uncompensated = uncompensated_;
+    fanuc_of(m_).reads_figure = false;
   }
   DryRun(const DryRun&) = delete;
   DryRun& operator=(const DryRun&) = delete;
@@ -98,6 +100,7 @@ class Reader {
       if (block_.skip != 0 && m_.skip_switches[std::min<std::size_t>(block_.skip, 9)]) continue;
       KADR_TRY(strict_ ? figure_block({offset == place.first.offset, offset >= place.last.offset}) : block());
     }
+    reads_ = false;
     if (run_.actions.empty()) return strict_ ? fail(alarm(AlarmId::figure_first_block, call_.where, double(number_))) : shape();
     contour.first_named = std::get<Motion>(run_.actions.begin()->what).named;
     contour.uncompensated = uncompensated_;
@@ -111,7 +114,7 @@ class Reader {
 
  private:
   Status shape() const {
-    if (strict_) return fail(alarm(AlarmId::figure_unavailable, call_.where, block_.text_of(block_.number_where)));
+    if (strict_) return at_own_block(alarm(AlarmId::figure_unavailable, block_.where, block_.text_of(block_.where)));
     return fail(alarm(AlarmId::contour_shape, call_.where, double(number_)));
   }
   /// Records that the cycle has read a line, so that `kadr setup` does not list it as not executed.
@@ -122,6 +125,16 @@ class Reader {
   }
   Status without(std::string_view what) const { return fail(alarm(AlarmId::not_available, call_.where, what)); }
 
+  /// Returns an alarm about the block of the figure that is being read. A lathe's control shows that block, not the block of the cycle.
+  Status at_own_block(const Alarm& alarm) const {
+    Origin origin = m_.origin;
+    origin.line = block_.position.line;
+    origin.block = block_.number;
+    origin.has_block = block_.has_number;
+    m_.fault_place = {origin, std::string(block_.text)};
+    return fail(alarm);
+  }
+
   static bool has_comma(char address) {
     return address == comma_chamfer || address == comma_rounding || address == comma_angle || address == comma_vector;
   }
@@ -130,6 +143,7 @@ class Reader {
   Status unread(Alarm alarm) const {
     const bool comma = alarm.id == AlarmId::address_unknown && alarm.args[0].text().size() == 1 && has_comma(alarm.args[0].text()[0]);
     if (comma) return without(",C ,R ,A");
+    if (strict_ && reads_) return at_own_block(alarm);
     alarm.where = call_.where;
     return fail(alarm);
   }
@@ -162,7 +176,7 @@ class Reader {
   /// Reads a block of a figure on a lathe's control, which permits less (fanuc-t 9.1). A dwell has no effect.
   Status figure_block(FigureBlock which) {
     m_.block = &block_;
-    KADR_TRY(check_figure_block(m_, which, call_.where));
+    if (const Status permitted = check_figure_block(m_, which, block_.where); !permitted) return at_own_block(permitted.error());
     return m_.has_code({Function::dwell, Function::dwell_or_turns}) ? Status() : block();
   }
 
@@ -198,7 +212,7 @@ class Reader {
 
   Status code(const Word& w, const CodeRow*& motion) {
     const std::int32_t index = w.code < 0 ? -1 : m_.def.row_of(w.address, w.code);
-    if (index < 0) return fail(alarm(AlarmId::code_unknown, call_.where, block_.text_of(w.where)));
+    if (index < 0) return unread(alarm(AlarmId::code_unknown, w.where, block_.text_of(w.where)));
     const CodeRow& row = m_.def.codes[static_cast<std::size_t>(index)];
     switch (row.function) {
       case Function::rapid:
@@ -254,6 +268,7 @@ class Reader {
   std::uint32_t number_ = 0;
   std::string_view uncompensated_;
   bool strict_ = m_.def.behaviour.lathe != Lathe::none;
+  bool reads_ = true;  // the blocks are being read; false: their corners and path are being computed
 };
 
 }  // namespace
