@@ -22,7 +22,7 @@ struct ThreadGroove {
   double lead = 0;        // travel along Z per revolution, positive, mm
   bool is_outer = true;   // true: the groove is cut from outside; false: from inside
   bool left_handed = false;
-  std::int32_t maker = -1;  // number of whoever cut it, for the caller
+  std::int32_t maker = -1;  // number for the caller of what cut it
 
   /// Returns the interval of Z in which the groove may remove material, mm: x is the least, y the greatest.
   Vec2 reach() const;
