@@ -166,7 +166,7 @@ def the_part(kadr, server, folder):
     told = re.search(r'^`Tool`: `\{([^}]*)\}`', (harness.ROOT / 'docs/panel-protocol.md').read_text(encoding='utf-8'), re.M)[1]
     expect({key.strip(' ?\n') for key in told.split(',')} == keys, f'the keys of a tool are those of the schema: {told}')
     row = re.search(r'tool_keys\[\] = \{(.*?)\}', (harness.ROOT / 'src/config/tools/tool_library.cpp').read_text(encoding='utf-8'), re.S)
-    expect(set(re.findall(r'"(\w+)"', row[1])) == keys - {'from', 'known'}, 'and those of a tools file, as they are called now')
+    expect(set(re.findall(r'"(\w+)"', row[1])) == keys - {'from', 'known', 'by_offset'}, 'and those of a tools file, as they are called now')
     expect(all('flute_length' in tool for tool in proposed['tools']), f'tools are proposed as a tools file has them: {proposed["tools"]}')
     _, by_proposal = cut(page, tools=proposed['tools'])
     expect(by_proposal['notes'] == [], f'nothing is to be said of what was proposed: {by_proposal["notes"]}')

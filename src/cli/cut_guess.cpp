@@ -37,7 +37,7 @@ std::vector<ProposedTool> tools_of(const CutOptions& options, const ProgramRun& 
 
 bool take_stock(const StockGuess& guess, const ProgramRun& run, const std::vector<ProposedTool>& tools, std::string& stock) {
   const Vec3 zero = run.path().zero();
-  stock = guess.text(zero, is_turning(run) && guess.is_flat(zero), radii_of(tools));
+  stock = guess.text(zero, turns_part(run, guess), radii_of(tools));
   if (stock.empty()) complain(translated(texts::cut_command::cuts_nothing));
   else write_message(translated(texts::cut_command::stock_guessed, stock) + "\n");
   return !stock.empty();
@@ -49,7 +49,7 @@ bool take_tools(const std::vector<ProposedTool>& proposals, bool lathe, ToolLibr
   std::string unknown;
   for (const ProposedTool& proposed : proposals) {
     const ToolGeometry& tool = proposed.tool;
-    if (lathe && (!proposed.known || (tool.kind != ToolKind::drill && tool.kind != ToolKind::turning))) continue;
+    if (lathe && (!proposed.known || proposed.by_offset || (tool.kind != ToolKind::drill && tool.kind != ToolKind::turning))) continue;
     if (!proposed.known) {
       unknown += fmt::format("{}T{}", unknown.empty() ? "" : ", ", tool.number);
       continue;

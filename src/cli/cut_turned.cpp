@@ -2,7 +2,6 @@
 
 #include "cli/cut_turned.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/cut_meshes.h"
@@ -13,7 +12,6 @@
 #include "config/language.h"
 #include "out/text/cut_load_text.h"
 #include "out/text/cut_text.h"
-#include "session/cutting/named_body.h"
 #include "session/cutting/turned_run.h"
 #include "stock/turned/turned_mesh.h"
 
@@ -21,13 +19,6 @@ namespace kadr::cli {
 namespace {
 
 constexpr double mesh_deviation = 0.01;  // mm; deviation of the mesh from the part unless --simplify states another
-
-TurnedJob turned_job_of(const CutOptions& options) {
-  TurnedJob turned;
-  turned.blank = *turned_region_of(options.stock);
-  for (const std::string& fixture : options.fixtures) turned.fixtures.push_back(*turned_region_of(fixture));
-  return turned;
-}
 
 void print_to_terminal(Found& found, std::FILE* blocks, TurnedRun& run) {
   const auto print_report = [&found](const AlarmReport& report) { found.print_report(report); };
@@ -56,13 +47,11 @@ bool write_results(const TurnedCut& c, const TurnedRun& run, const CutResult& re
 bool cuts_turned(const CutOptions& o, const Job& job) {
   const bool needs_lattice = o.resolution > 0 || !o.window.empty() || !o.part.empty() || !o.deviation.empty() || !o.run.plot.empty() ||
                              o.coolant || o.allow >= 0 || o.allow_left >= 0;
-  if (job.def->behaviour.lathe == Lathe::none || needs_lattice || !job.profile.bodies.empty()) return false;
-  const auto is_turned = [](const std::string& body) { return turned_region_of(body).has_value(); };
-  return is_turned(o.stock) && std::all_of(o.fixtures.begin(), o.fixtures.end(), is_turned);
+  return !needs_lattice && turned_job_of(*job.def, job.profile, o.stock, o.fixtures).has_value();
 }
 
 int cut_turned(const TurnedCut& c) {
-  TurnedRun run(c.session, c.cut, turned_job_of(c.options));
+  TurnedRun run(c.session, c.cut, *turned_job_of(*c.job.def, c.job.profile, c.options.stock, c.options.fixtures));
   Found found(c.job.texts(), language(c.options.run), stderr, c.options.run.every);
   print_to_terminal(found, c.outputs.stream("--blocks"), run);
   Progress progress(c.options.run.quiet);

@@ -106,7 +106,7 @@ class ReportRun {
 
   /// Cuts the blank. If an error occurs, it is printed and the function returns false.
   bool cut(const CutOptions& options, const ToolLibrary& tools) {
-    PartRequest request{options.stock, options.fixtures, options.fixtures, tools, options.resolution};
+    PartRequest request{options.stock, options.fixtures, options.fixtures, tools, options.resolution, run_->path().zero()};
     auto part = PartRun::make(run_->opened(), request, stop_token());
     if (!part) {
       complain(part.error());

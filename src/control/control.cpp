@@ -76,6 +76,7 @@ Result<double> Control::evaluate(std::string_view expression) const { return int
 std::vector<AlarmReport::Call> Control::calls() const { return interpreter_->calls(); }
 const Origin& Control::origin() const { return interpreter_->origin; }
 std::vector<InForce> Control::in_force() const { return interpreter_->in_force(); }
+LatheModes Control::lathe_modes() const { return interpreter_->lathe_modes(); }
 double Control::machine_unit() const { return interpreter_->dialect->machine_unit(); }
 std::size_t Control::plane_normal() const { return interpreter_->modal.axes.normal; }
 BlockState Control::state_now() const { return interpreter_->state_now(); }

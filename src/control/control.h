@@ -19,6 +19,7 @@
 #include "config/setup/setup.h"
 #include "config/setup/setup_file.h"
 #include "config/state/state_file.h"
+#include "control/lathe_modes.h"
 #include "control/state/cross_channel_axis.h"
 #include "control/state/run_limits.h"
 #include "control/state/search_rules.h"
@@ -90,6 +91,8 @@ class Control {
   /// Returns the modes and offsets in force after all blocks executed so far.
   BlockState state_now() const;
   std::vector<InForce> in_force() const;
+  /// Returns what the panel of a lathe shows besides in_force(), after all blocks executed so far.
+  LatheModes lathe_modes() const;
 
   /// Returns everything that decides how the run continues; nullopt while the control waits for the result of a probe motion. Three things
   /// are not included: the text that the program has read from standard input, the contents of the files that it has written, and the state

@@ -47,4 +47,23 @@ std::vector<InForce> Interpreter::in_force() {
   return all;
 }
 
+LatheModes Interpreter::lathe_modes() const {
+  LatheModes modes;
+  modes.diameters = modal.diameter;
+  if (modal.feed_mode == FeedMode::per_revolution && modal.feed_known) modes.feed_per_turn = modal.feed;
+  modes.surface = surface_speed();
+  modes.offset_row = length_row();
+  // On a lathe T alone puts the offsets into force, without a code for the length
+  if (modes.offset_row == 0 && def.behaviour.lathe != Lathe::none) modes.offset_row = static_cast<std::uint32_t>(modal.length_number);
+  if (modes.offset_row == 0) return modes;
+  if (modes.offset_row < tables.offsets.size()) {
+    modes.offset = tables.offsets[modes.offset_row];
+    return modes;
+  }
+  Setup stated;
+  if (!dialect->add_tables(*this, stated)) return modes;
+  if (const auto row = stated.offsets.find(int(modes.offset_row)); row != stated.offsets.end()) modes.offset = row->second;
+  return modes;
+}
+
 }  // namespace kadr

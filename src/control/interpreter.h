@@ -66,6 +66,7 @@ class Interpreter final : public Emitter {
   std::vector<AlarmReport::Call> calls_of(const Origin& at) const;
   BlockState state_now() const;
   std::vector<InForce> in_force();
+  LatheModes lathe_modes() const;
   /// Copies the data that the channels of a machine share from the interpreter of another channel.
   void take_common(const Interpreter& from);
 

@@ -8,6 +8,7 @@
 
 #include "action/in_force.h"
 #include "action/step.h"
+#include "control/lathe_modes.h"
 
 namespace kadr {
 
@@ -15,6 +16,7 @@ namespace kadr {
 struct PanelModes {
   std::vector<InForce> in_force;
   std::vector<AlarmReport::Call> calls;
+  LatheModes lathe;
 };
 
 /// A motion that the machine executes.

@@ -359,7 +359,7 @@ PanelMachine::Answer PanelMachine::undo() {
     panel_state_.alarm.reset();
     lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;
     lane_->on.work = session_->stand().work, lane_->on.machine = before.machine, lane_->on.placement = lane_->placement;
-    lane_->on.modes = std::make_shared<PanelModes>(PanelModes{session_->control().in_force(), {}});
+    lane_->on.modes = std::make_shared<PanelModes>(PanelModes{session_->control().in_force(), {}, session_->control().lathe_modes()});
     return {};
   });
 }

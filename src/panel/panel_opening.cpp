@@ -135,7 +135,7 @@ void PanelMachine::stand_here() {
     ChannelAxes& lane = *lanes_[i];
     lane.placement = control.placement();
     lane.on.work = session_->stand(i).work, lane.on.machine = session_->stand(i).machine, lane.on.placement = lane.placement;
-    lane.on.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), {}});
+    lane.on.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), {}, control.lathe_modes()});
   }
 }
 

@@ -228,7 +228,7 @@ PanelMachine::Answer PanelMachine::resume_from(const RestartPoint& place) {
   lane_->start_over();
   lane_->on.origin = place.restart.at;
   lane_->on.work = place.restart.stand.work, lane_->on.machine = place.restart.stand.machine, lane_->on.placement = lane_->placement;
-  lane_->on.modes = std::make_shared<PanelModes>(PanelModes{place.restart.in_force, place.calls});
+  lane_->on.modes = std::make_shared<PanelModes>(PanelModes{place.restart.in_force, place.calls, session_->control().lathe_modes()});
   for (const OtherChannelState& channel : place.other_channels) set_other_channel(channel);
   return {};
 }
@@ -241,7 +241,8 @@ void PanelMachine::set_other_channel(const OtherChannelState& channel) {
   lane.placement = channel.placement;
   lane.on.origin = channel.restart.at;
   lane.on.work = channel.restart.stand.work, lane.on.machine = channel.restart.stand.machine, lane.on.placement = lane.placement;
-  lane.on.modes = std::make_shared<PanelModes>(PanelModes{channel.restart.in_force, channel.calls});
+  lane.on.modes = std::make_shared<PanelModes>(
+      PanelModes{channel.restart.in_force, channel.calls, session_->channels()[channel.channel].control->lathe_modes()});
   lane.has_ended = channel.is_over;
   if (!channel.waits) return;
   // This leg of the channel has no motion; the following call of waits() ends it at the meeting with the other channels.

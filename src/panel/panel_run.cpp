@@ -44,7 +44,7 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   const Origin& origin = step.action.origin;
   PanelBlock& pending = lane.pending;
   if (origin.number != lane.modes_of || !pending.modes) {
-    pending.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), control.calls_of(origin)});
+    pending.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), control.calls_of(origin), control.lathe_modes()});
     lane.modes_of = origin.number;
   }
   pending.origin = origin;
@@ -280,7 +280,7 @@ void PanelMachine::show_what_is_in_force() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     const Control& control = *session_->channels()[i].control;
     PanelBlock& on = lanes_[i]->on;
-    on.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), control.calls()});
+    on.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), control.calls(), control.lathe_modes()});
     if (in_contour) continue;
     on.placement = lanes_[i]->placement = control.placement();
     on.work = session_->stand(i).work, on.machine = session_->stand(i).machine;

@@ -80,8 +80,20 @@ Status Instants::reach(std::uint32_t number, InstantState& state, const StopToke
   compensated_by_ = 0;
   (void)run(stop);
   state.after = session_->settled_control().in_force();
+  state.lathe = session_->settled_control().lathe_modes();
   state.radius = radius_in_force(state.after);
   return {};
+}
+
+/// Returns where the path of a block ends; `otherwise` if the block has no path.
+Vec3 Instants::end_of(std::uint32_t number, Vec3 otherwise) const {
+  const auto& pieces = run_.path().pieces();
+  auto piece = std::partition_point(pieces.begin(), pieces.end(), [&](const ViewPiece& p) { return p.vertices.front().number <= number; });
+  if (piece == pieces.begin()) return otherwise;
+  --piece;
+  const auto after =
+      std::partition_point(piece->vertices.begin(), piece->vertices.end(), [&](const PathVertex& v) { return v.number <= number; });
+  return after != piece->vertices.begin() && (after - 1)->number == number ? (after - 1)->place() : otherwise;
 }
 
 tl::expected<InstantState, std::string> Instants::at(double instant, const StopToken& stop) {
@@ -98,6 +110,7 @@ tl::expected<InstantState, std::string> Instants::at(double instant, const StopT
   if (vertex == piece->vertices.end()) --vertex;
   state.vertex = *vertex;
   state.place = place_at(*piece, std::size_t(vertex - piece->vertices.begin()), instant);
+  state.block_end = state.moves ? end_of(vertex->number, state.place) : state.place;
   state.origin.line = vertex->line;
   state.origin.file = vertex->file;
   state.origin.number = vertex->number;
@@ -118,7 +131,7 @@ tl::expected<InstantState, std::string> Instants::after(std::uint32_t number, co
     state.vertex = *vertex;
     state.moves = vertex->number == number;
     state.at = PathRecord::time_of(*piece, *vertex);
-    state.place = place_at(*piece, std::size_t(vertex - piece->vertices.begin()), state.at);
+    state.place = state.block_end = place_at(*piece, std::size_t(vertex - piece->vertices.begin()), state.at);
   }
   state.origin.line = state.vertex.line;
   state.origin.file = state.vertex.file;

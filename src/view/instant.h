@@ -15,12 +15,14 @@ struct InstantState {
   double at = 0;
   PathVertex vertex;   // the vertex of the path to which the tool is moving
   Vec3 place;          // position of the tool tip in the coordinates of the picture
+  Vec3 block_end;      // the same at the end of the block
   bool moves = false;  // true if the tool is moving to `vertex`; false if the path has ended, or the program has no motion
   AlarmReport::Line line;
   Origin origin;
   std::uint32_t pass = 0;
   std::vector<AlarmReport::Call> calls;
   std::vector<InForce> before, after;  // modes, tool and offsets that are in force before and after the block
+  LatheModes lathe;                    // what is in force after the block on a lathe
   std::optional<double> radius;        // tool radius in mm by the offset in force after the block; nullopt if no offset is in force
 };
 
@@ -46,6 +48,7 @@ class Instants {
  private:
   std::optional<double> radius_in_force(const std::vector<InForce>& all) const;
   Session::State run(const StopToken& stop);
+  Vec3 end_of(std::uint32_t number, Vec3 otherwise) const;
   tl::expected<InstantState, std::string> complete(InstantState state, std::uint32_t number, const StopToken& stop);
   Status reach(std::uint32_t number, InstantState& state, const StopToken& stop);
   tl::expected<Session*, std::string> session(const StopToken& stop);

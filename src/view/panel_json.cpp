@@ -8,7 +8,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "motion/time/estimate.h"
 #include "out/text/limit_text.h"
+#include "view/lathe_json.h"
 
 namespace kadr {
 namespace {
@@ -41,6 +43,7 @@ PageJson channels_json(const std::vector<PanelChannel>& channels) {
                     {"axes", one.axes},
                     {"position", axes_json(one.axes, work)},
                     {"machine", axes_json(one.axes, one.sample.machine)},
+                    {"diameters", diameters_json(one.axes, one.block.modes ? one.block.modes->lathe.diameters : 0)},
                     {"feed", finite(one.block.feed)},
                     {"speed", finite(one.sample.speed)},
                     {"moves", one.sample.plays && !one.sample.held},
@@ -79,7 +82,7 @@ const char* name_of(PanelMode mode) {
   return names[std::size_t(mode)];
 }
 
-PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes, Lang lang) {
+PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes, const OpenedProgram& opened, Lang lang) {
   const Axes work = s.block.work_of(s.sample.machine);
   Axes left{};
   for (std::size_t a = 0; a < max_axes; ++a) left[a] = s.sample.plays ? s.block.work[a] - work[a] : 0;
@@ -116,7 +119,9 @@ PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes, L
                    {"channels", channels_json(s.channels)},
                    {"blocks", s.blocks}};
   static const PanelModes none;
-  put_modes(json, s.block.modes ? *s.block.modes : none);
+  const PanelModes& modes = s.block.modes ? *s.block.modes : none;
+  put_modes(json, modes);
+  put_lathe(json, modes.lathe, axes, work, most_rpm_of(opened.machine, opened.setup), opened.def->behaviour.lathe != Lathe::none);
   if (json["rpm"].is_number()) json["rpm"] = json["rpm"].get<double>() * s.shares.spindle;
   return json;
 }

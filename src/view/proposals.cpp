@@ -10,6 +10,7 @@
 #include <map>
 
 #include "out/program/tools_template.h"
+#include "session/cutting/offset_insert.h"
 #include "session/tool_proposals.h"
 #include "texts/view.h"
 #include "view/instant.h"
@@ -55,6 +56,31 @@ bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   return !kind.empty();
 }
 
+bool is_lathe(const ProgramRun& run) { return run.opened().def->behaviour.lathe != Lathe::none; }
+
+/// Takes the insert from the row of the offset table that the program uses with the tool. Returns false if the row does not tell its form.
+bool take_insert(const ProgramRun& run, ProposedTool& to) {
+  const Use* const use = first_use(run, UseKind::length, [&](const Use& u) { return u.tool == to.tool.number && u.number != 0; });
+  const std::uint32_t number = use != nullptr ? use->number : to.tool.number;
+  const auto row = run.opened().setup.offsets.find(int(number));
+  if (row == run.opened().setup.offsets.end()) return false;
+  const auto insert = insert_of_offset(row->second, to.tool.number);
+  if (!insert || !tool_fault_message(*insert).empty()) return false;
+  to.tool = *insert;
+  to.from = (to.from.empty() ? "" : to.from + "; ") + translated(texts::view::insert_of_offset, number);
+  to.known = to.by_offset = true;
+  return true;
+}
+
+/// Returns a turning tool that the user must complete: of its insert only the usual tip of an outside tool is stated.
+ToolGeometry unknown_insert(std::uint32_t number) {
+  ToolGeometry tool;
+  tool.number = number;
+  tool.kind = ToolKind::turning;
+  tool.insert.tip_x = tool.insert.tip_z = -1;
+  return tool;
+}
+
 ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std::uint32_t number) {
   ProposedTool made;
   made.tool.number = number;
@@ -63,10 +89,13 @@ ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std:
   const std::uint32_t called_at = called == nullptr || called->origin.file != 0 ? 0 : called->origin.line;
   const auto comment = comments.of(number, called_at);
   const bool has_kind = comment && take_comment(*comment, made);
+  const bool rotates = has_kind && made.tool.kind == ToolKind::drill;
+  if (is_lathe(run) && !rotates && take_insert(run, made)) return made;
   if (const auto open = comment ? std::nullopt : comments.unsure(number, called_at))
     made.from += (made.from.empty() ? "" : "; ") + translated(texts::view::tool_not_sure, open->line, open->text);
-  (void)assume_heights(made.tool);
-  made.known = has_kind && tool_fault_message(made.tool).empty();
+  if (is_lathe(run) && !rotates) made.tool = unknown_insert(number);
+  else (void)assume_heights(made.tool);
+  made.known = has_kind && (rotates || !is_lathe(run)) && tool_fault_message(made.tool).empty();
   if (made.known) made.from += "; " + translated(texts::view::usual_heights);
   return made;
 }
@@ -129,10 +158,14 @@ std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& t
 
 bool is_turning(const ProgramRun& run) {
   const AxisRoles roles = AxisRoles::of(run.control().axes(), run.control().rotary());
-  if (roles.xyz[1] < 0) return true;
+  if (is_lathe(run) || roles.xyz[1] < 0) return true;
   // The plane in force before the end of the program is tested, because the end of the program resets the plane.
   const auto last = Instants(run).at(run.seconds(), {});
   return last && std::any_of(last->after.begin(), last->after.end(), [](const InForce& one) { return one.code == "G18"; });
+}
+
+bool turns_part(const ProgramRun& run, const StockGuess& guess) {
+  return is_lathe(run) || (is_turning(run) && guess.is_flat(run.path().zero()));
 }
 
 }  // namespace kadr

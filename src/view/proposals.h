@@ -10,6 +10,7 @@
 
 #include "config/tools/tool_library.h"
 #include "view/program_run.h"
+#include "view/stock_guess.h"
 
 namespace kadr {
 
@@ -17,6 +18,8 @@ struct ProposedTool {
   ToolGeometry tool;
   std::string from;    // text that states the file or comment that describes the tool
   bool known = false;  // true if the shape of the tool is known; otherwise the user must enter the shape
+  // true: an insert of the offset table (insert_of_offset). A cut of a turned part takes it from there by itself, row by row.
+  bool by_offset = false;
 };
 
 /// A tools file that has been read.
@@ -40,7 +43,10 @@ std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools
 /// Returns a function that returns the radius in mm of the tool with a given number; 0 if the radius is unknown.
 std::function<double(std::uint32_t tool)> radii_of(const std::vector<ProposedTool>& tools);
 
-/// Returns true if the program was probably written for a lathe: the control has no Y axis, or arcs are in the plane G18.
+/// Returns true if the program was probably written for a lathe: the control is a lathe's or has no Y axis, or arcs are in the plane G18.
 bool is_turning(const ProgramRun& run);
+
+/// Returns true if the blank of the program is a cylinder about the axis Z.
+bool turns_part(const ProgramRun& run, const StockGuess& guess);
 
 }  // namespace kadr

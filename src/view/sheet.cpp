@@ -226,15 +226,11 @@ PageJson sheet_json(const Sheet& s, const Statistics& statistics) {
   for (const Sheet::Tool& t : s.tools) tools.push_back(tool_json(t));
   for (const Sheet::Note& n : s.comments) comments.push_back({{"line", n.line}, {"text", n.text}});
   for (const Sheet::Stop& p : s.stops) stops.push_back({{"line", p.line}, {"text", p.text}, {"at", p.at}});
-  return {{"program", s.program},
-          {"control", s.control},
-          {"machine", s.machine},
-          {"date", s.date},
-          {"zeros", std::move(zeros)},
-          {"tools", std::move(tools)},
-          {"extents", extents_json(statistics)},
-          {"seconds", s.seconds},
-          {"comments", std::move(comments)},
+  return {{"program", s.program},      {"control", s.control},
+          {"machine", s.machine},      {"date", s.date},
+          {"zeros", std::move(zeros)}, {"diameters", statistics.extents().x_is_diameter() ? PageJson::array({"X"}) : PageJson::array()},
+          {"tools", std::move(tools)}, {"extents", extents_json(statistics)},
+          {"seconds", s.seconds},      {"comments", std::move(comments)},
           {"stops", std::move(stops)}};
 }
 

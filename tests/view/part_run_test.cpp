@@ -9,6 +9,7 @@
 
 #include "config/tools/tool_list.h"
 #include "session/cutting/cut_cells.h"
+#include "session/cutting/cut_run.h"
 #include "session/cutting/cut_setup.h"
 
 namespace kadr::part_run_test {

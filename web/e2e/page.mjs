@@ -9,6 +9,7 @@ import { convert_steps } from "./convert_steps.mjs";
 import { making_steps } from "./making_steps.mjs";
 import { finger_steps, panel_steps } from "./panel_steps.mjs";
 import { figure_steps } from "./figure_steps.mjs";
+import { lathe_steps } from "./lathe_steps.mjs";
 import { list_steps } from "./list_steps.mjs";
 import { server } from "./server.mjs";
 import { text_steps } from "./text_steps.mjs";
@@ -526,6 +527,7 @@ const steps = {
   },
   ...text_steps({ kadr, page, pictures, only }),
   ...figure_steps({ kadr, page, pictures, only }),
+  ...lathe_steps({ kadr, page, pictures, only }),
   ...list_steps({ kadr, page, pictures, examples, only }),
   ...panel_steps({ kadr, page, pictures, only }),
   ...making_steps({ kadr, page, pictures }),

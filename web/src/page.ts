@@ -8,7 +8,7 @@ import "./style/making.css";
 import "./style/print.css";
 import { App } from "./model/app";
 import { is_of_cut } from "./model/listed";
-import { shape_of, type Shape } from "./model/tool_shape";
+import { shape_of, with_inserts, type Shape } from "./model/tool_shape";
 import { remember, remembered } from "./model/memory";
 import type { Socket } from "./protocol/client";
 import type { Problem } from "./protocol/types";
@@ -64,8 +64,8 @@ const state = new StatePane(app, (line, file) => void go_to_line(line, file));
 const problems = new ProblemsPanel(app, jump_to, (fix) => source.fix(fix));
 const cut = new CutPanel(
   app,
-  (box, tools) => {
-    shapes = tools.map(shape_of);
+  (box, tools, inserts) => {
+    shapes = tools.map((tool) => with_inserts(shape_of(tool), inserts));
     scene?.setTools(shapes);
     stock = box ? [{ name: t("stock"), kind: "stock", box }] : [];
     show_boxes();

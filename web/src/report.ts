@@ -7,7 +7,7 @@ import "./style/print.css";
 import { App } from "./model/app";
 import { is_of_cut } from "./model/listed";
 import { keep_nothing_of_tab } from "./model/memory";
-import type { Shape } from "./model/tool_shape";
+import { with_inserts, type Shape } from "./model/tool_shape";
 import type { Problem } from "./protocol/types";
 import { unpack, type Report } from "./report/data";
 import { FindingsPanel } from "./report/findings";
@@ -44,12 +44,17 @@ function show(report: Report): void {
   const { data } = report;
   const app = new App(() => new ReportSocket(report));
   const player = new Player(app);
-  const shapes: Shape[] = data.en.sheet.tools.map((x) => ({
-    number: x.number,
-    cutting: x.outline ?? [],
-    shank: [],
-    holder: [],
-  }));
+  const shapes: Shape[] = data.en.sheet.tools.map((x) =>
+    with_inserts(
+      {
+        number: x.number,
+        cutting: x.outline ?? [],
+        shank: [],
+        holder: [],
+      },
+      data.en.cut?.inserts ?? [],
+    ),
+  );
   const scene_pane = new ScenePane(app, (v) => {
     app.seek(v.time);
     if (v.file === 0) source.show(v.line);

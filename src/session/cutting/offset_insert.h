@@ -1,6 +1,6 @@
 #pragma once
 // Makes an insert from the row of a lathe's offset table, for tools that no tools file describes. It is used by
-// session/cutting/turned_cutting.
+// session/cutting/turned_cutting and view/proposals.
 
 #include <optional>
 

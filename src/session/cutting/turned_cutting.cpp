@@ -16,6 +16,7 @@ namespace {
 constexpr double path_chord = 2e-4;           // greatest deviation of chords from an arc of the path, mm: below the increment of controls
 constexpr double nose_chord = 1e-3;           // the same for the nose, mm; it only shows where a path ends: walls are exact
 constexpr double least_depth = 0.01;          // mm; contact that is shallower is not a finding
+constexpr double least_removal = 1e-7;        // mm³; what removes less is not noted in the past of the part
 constexpr double on_axis = 1e-6;              // mm; a drill this near to the axis is on it
 constexpr double load_reach = 0.05;           // mm; means of loads are taken over at least twice this length of path
 constexpr std::size_t most_stored = 100'000;  // greatest number of motions stored until the work coordinates of the blank are known
@@ -30,6 +31,7 @@ TurnedCutting::TurnedCutting(const CutJob& job, TurnedJob turned, const AxisRole
       stock_(std::move(turned.blank)),
       tool_(job.tool),
       spindles_(job.spindle),
+      reversed_(job.spindle == SpindleDir::ccw),
       loads_(load_reach),
       air_(load_reach) {
   for (TurnedRegion& fixture : turned.fixtures) fixtures_.emplace_back(std::move(fixture));
@@ -46,8 +48,13 @@ TurnedCutting::TurnedCutting(const CutJob& job, TurnedJob turned, const AxisRole
 /// Updates the tool, its offset and the rotation of the spindles.
 void TurnedCutting::note(const Action& action) {
   by_kind(
-      action, [&](const Spindle& spindle) { spindles_.take(spindle); }, [&](const Speed& speed) { spindles_.take(speed); },
-      [&](const ToolChange& change) { tool_ = change.tool, tool_known_ = false; }, [&](const FrameChange&) { tool_known_ = false; },
+      action,
+      [&](const Spindle& spindle) {
+        spindles_.take(spindle);
+        if (spindle.dir == SpindleDir::cw || spindle.dir == SpindleDir::ccw) reversed_ = spindle.dir == SpindleDir::ccw;
+      },
+      [&](const Speed& speed) { spindles_.take(speed); }, [&](const ToolChange& change) { tool_ = change.tool, tool_known_ = false; },
+      [&](const FrameChange&) { tool_known_ = false; },
       ignores<Motion, Dwell, ToolSelect, CoolantSwitch, MachineFunction, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange,
               Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
@@ -143,10 +150,11 @@ Status TurnedCutting::consume(const Step& step, const MachineTime& time) {
   }
   if (tool == nullptr) return cuts ? Status(fail(alarm(AlarmId::turning_tool_without_shape, {}, double(tool_)))) : Status();
   Moved moved{std::move(*path), step.action.origin, tool, use_of(tool_), fault_of(motion), cuts, false, false, 0,
-              time.begins,      time.seconds};
+              time.begins,      time.seconds,       0,    reversed_};
   moved.threads = motion.kind == MotionKind::thread && tool->shape.turns();
   moved.in_groove = moved.threads || (was_in_thread && motion.kind == MotionKind::rapid);
-  if (moved.threads && motion.detail) moved.lead = motion.detail->lead.value_or(0);
+  if (moved.threads && motion.detail)
+    moved.lead = motion.detail->lead.value_or(0), moved.start_angle = motion.detail->start_angle.value_or(0);
   add(std::move(moved));
   return {};
 }
@@ -168,7 +176,7 @@ void TurnedCutting::release_waiting() {
 }
 
 /// Removes what the tool sweeps between two corners. Returns the removed volume, mm³; `found` receives what must be reported.
-double TurnedCutting::sweep(const Moved& moved, Vec2 from, Vec2 to, Findings& found) {
+double TurnedCutting::sweep(const Moved& moved, const Segment& segment, Findings& found) {
   const auto add = [&](AlarmId id, const TurnedTouch& touch) {
     if (!(touch.volume > 0)) return;
     const auto [entry, is_new] = found.try_emplace(id, Met{touch.least, touch.most, 0});
@@ -180,12 +188,14 @@ double TurnedCutting::sweep(const Moved& moved, Vec2 from, Vec2 to, Findings& fo
   };
   double removed = 0;
   for (const InsertSweep& body : moved.tool->sweeps) {
-    const TurnedPolygon area = body.swept(from, to);
+    const TurnedPolygon area = body.swept(segment.from, segment.to);
     for (const TurnedStock& fixture : fixtures_) add(AlarmId::fixture, fixture.touch(area));
     if (moved.in_groove && body.part() != ToolPart::holder) continue;
     const AlarmId fault = body.part() == ToolPart::cutting ? moved.fault : fault_of_part(body.part());
     const TurnedTouch touch = stock_.remove(area, fault != no_alarm);
     removed += touch.volume;
+    if (on_removal && touch.volume > least_removal)
+      on_removal({&body, segment.from, segment.to, segment.begins, segment.seconds, moved.origin, result_.tools[moved.use].tool});
     if (fault != no_alarm) add(fault, touch);
   }
   ++sweeps_;
@@ -199,13 +209,16 @@ void TurnedCutting::cut(const Moved& moved) {
   Findings found;
   double volume = 0, way = 0;
   for (std::size_t i = 0; i < last; ++i) {
-    const double removed = sweep(moved, place(i), place(i + 1), found), part = length(place(i + 1) - place(i));
+    const double begins = moved.begins + moved.path.parts[i] * moved.seconds;
     const double seconds = (moved.path.parts[i + 1] - moved.path.parts[i]) * moved.seconds;
+    const double removed = sweep(moved, {place(i), place(i + 1), begins, seconds}, found), part = length(place(i + 1) - place(i));
     if (moved.cuts && !moved.in_groove) air_.add({moved.origin, result_.tools[moved.use].tool, seconds, part, removed > 0});
     volume += removed, way += part;
   }
-  if (moved.threads)
+  if (moved.threads) {
     threads_.add({moved.origin, moved.lead, {place(0).x, 0, place(0).y}, {place(last).x, 0, place(last).y}}, moved.tool->shape);
+    if (on_thread) note_thread(moved, place(0), place(last));
+  }
   count(moved, volume, way);
   const double side = std::copysign(1.0, place(last).x);
   for (const auto& [id, met] : found) {
@@ -214,6 +227,24 @@ void TurnedCutting::cut(const Moved& moved) {
     if (depth >= least_depth)
       keep({id, moved.origin, {}, {}, result_.tools[moved.use].tool, {side * middle.x, 0, middle.y}, depth, met.volume, moved.begins});
   }
+}
+
+/// Passes a pass of a thread to the caller. Left- or right-handed: M3 turns the part clockwise, seen from the headstock along +Z; a tool
+/// that travels towards -Z then cuts a right-handed thread.
+void TurnedCutting::note_thread(const Moved& moved, Vec2 from, Vec2 to) {
+  const double side = std::copysign(1.0, from.x), lead = std::fabs(moved.lead);
+  if (!(lead > 0) || std::fabs(to.y - from.y) < std::fabs(to.x - from.x)) return;
+  ThreadGroove groove;
+  groove.outline = moved.tool->sweeps.front().swept({}, {});
+  double outwards = 0;
+  for (Vec2& p : groove.outline) p.x *= side, outwards += p.x;
+  groove.from = {side * from.x, from.y}, groove.to = {side * to.x, to.y};
+  groove.lead = lead, groove.is_outer = outwards >= 0;
+  groove.left_handed = moved.reversed != (to.y > from.y);
+  const bool continues = last_groove_ && last_groove_->to == groove.from && last_groove_->lead == lead;
+  groove.start = continues ? last_groove_->start : from.y + lead * moved.start_angle / 360;
+  last_groove_ = groove;
+  on_thread({std::move(groove), moved.begins, moved.seconds, moved.origin, result_.tools[moved.use].tool});
 }
 
 /// Adds what a motion has removed to the figures of its tool and its block.

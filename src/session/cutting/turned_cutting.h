@@ -20,6 +20,7 @@
 #include "session/cutting/lathe_path.h"
 #include "session/cutting/spindles.h"
 #include "session/cutting/thread_cuts.h"
+#include "session/cutting/turned_past.h"
 #include "stock/turned/turned_stock.h"
 
 namespace kadr {
@@ -39,6 +40,10 @@ class TurnedCutting {
   /// Functions of the caller that receive the findings, and what each block has removed at feed, in the order of the program.
   std::function<void(const CutFinding&)> on_finding;
   std::function<void(const BlockLoad&)> on_block;
+  /// Functions of the caller that receive what is removed, and each pass of a thread, in the order of time. `body` of a removal lives as
+  /// long as this object.
+  std::function<void(const TurnedRemoval&)> on_removal;
+  std::function<void(const TurnedThread&)> on_thread;
 
   /// Processes a step. Returns the alarm turning_tool_without_shape if neither the tools file nor the offset table tells the form of the
   /// tool.
@@ -48,13 +53,18 @@ class TurnedCutting {
   /// Returns the results; to be called after finish().
   CutResult result() const;
   const TurnedStock& stock() const { return stock_; }
+  /// Returns the machine position of Z0 of the blank's work coordinates, mm; nullopt as long as it is unknown.
+  std::optional<double> zero() const { return zero_; }
 
- private:
   /// A tool as it cuts with one row of the offset table.
   struct Tool {
     ToolShape shape;
     std::vector<InsertSweep> sweeps;
   };
+  /// Returns the tools that have been used, in the order of their first use.
+  const std::vector<std::unique_ptr<Tool>>& tools() const { return tools_; }
+
+ private:
   struct Moved {
     LatheMotion path;
     Origin origin;
@@ -63,6 +73,13 @@ class TurnedCutting {
     AlarmId fault = no_alarm;  // the alarm to report if the cutting edges remove material
     bool cuts = false, in_groove = false, threads = false;
     double lead = 0, begins = 0, seconds = 0;
+    double start_angle = 0;  // angle of the spindle at the start of a thread, degrees
+    bool reversed = false;   // the spindle turns counter-clockwise
+  };
+  /// A straight part of a motion, with its time.
+  struct Segment {
+    Vec2 from, to;
+    double begins = 0, seconds = 0;
   };
   struct Met {
     Vec2 least, most;
@@ -82,7 +99,8 @@ class TurnedCutting {
   void add(Moved&& moved);
   void release_waiting();
   void cut(const Moved& moved);
-  double sweep(const Moved& moved, Vec2 from, Vec2 to, Findings& found);
+  double sweep(const Moved& moved, const Segment& segment, Findings& found);
+  void note_thread(const Moved& moved, Vec2 from, Vec2 to);
   void count(const Moved& moved, double volume, double way);
   void keep(const CutFinding& finding);
 
@@ -98,7 +116,9 @@ class TurnedCutting {
   RunningSpindles spindles_;
   AxisMask unknown_ = 0;  // which of the axes X and Z have an unknown position
   bool in_thread_ = false;
-  std::optional<double> zero_;  // machine Z of the zero of the blank's work coordinates, mm
+  bool reversed_ = false;                    // the spindle that was started last turns counter-clockwise
+  std::optional<ThreadGroove> last_groove_;  // the last pass of a thread; a pass that continues it has the same helix
+  std::optional<double> zero_;               // machine Z of the zero of the blank's work coordinates, mm
   std::vector<Moved> waiting_;
   BlockLoads loads_;
   AirLines air_;

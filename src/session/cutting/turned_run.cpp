@@ -1,8 +1,9 @@
-// Runs a lathe's program that cuts a blank. Used by cli/cut_turned; tested by tests/run_cut.py.
+// Runs a lathe's program that cuts a blank. Used by cli/cut_turned and view/turned_part; tested by tests/run_cut.py.
 
 #include "session/cutting/turned_run.h"
 
 #include "out/text/cut_text.h"
+#include "session/cutting/named_body.h"
 
 namespace kadr {
 namespace {
@@ -20,6 +21,21 @@ TurnedJob with_offsets(TurnedJob job, std::function<ToolOffset(std::uint32_t)> o
 }
 
 }  // namespace
+
+std::optional<TurnedJob> turned_job_of(const ControlDef& def, const MachineProfile& machine, const std::string& stock,
+                                       const std::vector<std::string>& fixtures) {
+  if (def.behaviour.lathe == Lathe::none || !machine.bodies.empty()) return std::nullopt;
+  const auto blank = turned_region_of(stock);
+  if (!blank) return std::nullopt;
+  TurnedJob job;
+  job.blank = *blank;
+  for (const std::string& text : fixtures) {
+    auto fixture = turned_region_of(text);
+    if (!fixture) return std::nullopt;
+    job.fixtures.push_back(std::move(*fixture));
+  }
+  return job;
+}
 
 TurnedRun::TurnedRun(Session& session, const CutJob& cut, TurnedJob turned)
     : session_(session),
@@ -43,6 +59,12 @@ void TurnedRun::on_block(std::function<void(const BlockLoad&)> take) {
     name_program(reported);
     take(reported);
   };
+}
+
+void TurnedRun::on_past(std::function<void(const TurnedRemoval&, const TurnedStock&)> removal,
+                        std::function<void(const TurnedThread&)> thread) {
+  cutting_.on_removal = [this, removal = std::move(removal)](const TurnedRemoval& what) { removal(what, cutting_.stock()); };
+  cutting_.on_thread = std::move(thread);
 }
 
 void TurnedRun::attach(const StopToken& stop, ProgressDisplay* progress_display) {
@@ -79,8 +101,8 @@ void TurnedRun::consume(const Step& step, double longer) {
   later_ += longer;
   if (without_shape_) return;
   if (const Status taken = cutting_.consume(step, time); !taken) {
-    without_shape_ = true;
-    take(session_.settled_control().report_for(taken.error(), step.action.origin));
+    without_shape_ = session_.settled_control().report_for(taken.error(), step.action.origin);
+    take(*without_shape_);
   }
 }
 

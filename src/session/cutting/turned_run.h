@@ -1,6 +1,6 @@
 #pragma once
 // TurnedRun: runs a lathe's program that cuts a blank. It passes the steps of a session to TurnedCutting, and the findings to the caller.
-// It is used by cli/cut_turned.
+// It is used by cli/cut_turned and view/turned_part.
 //
 //   TurnedRun run(session, job, {blank, fixtures, {}});
 //   run.attach(stop);       // connects the run to the session's outlets
@@ -15,6 +15,11 @@
 
 namespace kadr {
 
+/// Returns what an exact cut needs; nullopt if the part is to be cut on the lattice (CutRun): the control is not a lathe's, the machine has
+/// [[bodies]], or blank or fixtures are not cylinders about X0 Y0 (turned_region_of).
+std::optional<TurnedJob> turned_job_of(const ControlDef& def, const MachineProfile& machine, const std::string& stock,
+                                       const std::vector<std::string>& fixtures);
+
 class TurnedRun {
  public:
   /// `session` must outlive the TurnedRun object. The function `offset_now` of `turned` is set here.
@@ -25,6 +30,8 @@ class TurnedRun {
   std::function<void(const AlarmReport&)> on_report;
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
   void on_block(std::function<void(const BlockLoad&)> take);
+  /// Sets the functions that receive what is removed and the threads, as those of TurnedCutting. `now` is the part after the removal.
+  void on_past(std::function<void(const TurnedRemoval&, const TurnedStock& now)> removal, std::function<void(const TurnedThread&)> thread);
 
   /// Makes this object the observer of the session.
   void attach(const StopToken& stop, ProgressDisplay* progress_display = nullptr);
@@ -36,6 +43,8 @@ class TurnedRun {
   CutResult result() const;
   std::size_t alarms() const { return alarms_; }
   std::size_t warnings() const { return warnings_; }
+  /// Returns the alarm at which cutting stopped because the form of a tool is unknown; nullopt if all forms were known.
+  const std::optional<AlarmReport>& without_shape() const { return without_shape_; }
 
  private:
   std::string program_of(std::uint16_t file) const { return file == 0 ? std::string() : session_.settled_control().file_name(file); }
@@ -49,7 +58,7 @@ class TurnedRun {
   TimeEstimate clock_;
   double later_ = 0;  // delay of the machine's real time compared with the programmed time, s
   std::size_t alarms_ = 0, warnings_ = 0;
-  bool without_shape_ = false;  // true: the form of a tool is unknown, so cutting has stopped
+  std::optional<AlarmReport> without_shape_;
 };
 
 }  // namespace kadr

@@ -6,43 +6,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "stock/turned/few_corners.h"
+
 namespace kadr {
 namespace {
 
 constexpr double at_axis = 1e-6;                      // mm; a corner this near to the axis lies on it
 constexpr int least_chords = 12, most_chords = 4096;  // chords around the axis
 
-double off_line(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double square = dot(d, d), part = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  return length(a + part * d - p);
-}
-
-/// Marks the corners between two others that a polyline within `deviation` mm needs (Douglas, Peucker 1973).
-void mark(const TurnedPolygon& p, std::size_t first, std::size_t last, double deviation, std::vector<bool>& needed) {
-  std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
-  while (!open.empty()) {
-    const auto [a, b] = open.back();
-    open.pop_back();
-    double most = deviation;
-    std::size_t farthest = a;
-    for (std::size_t i = a + 1; i < b; ++i)
-      if (const double off = off_line(p[i], p[a], p[b % p.size()]); off > most) most = off, farthest = i;
-    if (farthest == a) continue;
-    needed[farthest] = true;
-    open.push_back({a, farthest});
-    open.push_back({farthest, b});
-  }
-}
-
 TurnedPolygon simplified(const TurnedPolygon& p, double deviation) {
-  std::vector<bool> needed(p.size());
-  std::size_t opposite = 0;
-  for (std::size_t i = 1; i < p.size(); ++i)
-    if (length(p[i] - p[0]) > length(p[opposite] - p[0])) opposite = i;
-  needed[0] = needed[opposite] = true;
-  mark(p, 0, opposite, deviation, needed);
-  mark(p, opposite, p.size(), deviation, needed);
+  const std::vector<bool> needed = needed_corners(p, {}, deviation);
   TurnedPolygon few;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (needed[i]) few.push_back(p[i]);

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "motion/time/estimate.h"
+#include "view/lathe_json.h"
+
 namespace kadr {
 namespace {
 
@@ -85,12 +88,38 @@ double first_use(const ProgramRun& run, std::uint32_t tool) {
   return 0;
 }
 
+/// Returns the distance of the tool from the end of its motion, mm, along X, Y and Z.
+Vec3 way_left(const InstantState& s) { return Vec3{double(s.vertex.at[0]), double(s.vertex.at[1]), double(s.vertex.at[2])} - s.place; }
+
+bool runs_on_lathe(const ProgramRun& run) { return run.opened().def->behaviour.lathe != Lathe::none; }
+
+/// Adds the modes of a lathe, and shows its axes where they are: a cycle is one block that the tool takes long for.
+void put_lathe_state(PageJson& json, const InstantState& s, const ProgramRun& run) {
+  const auto& axes = run.control().axes();
+  const AxisRoles roles = AxisRoles::of(axes, run.control().rotary());
+  const Vec3 left = runs_on_lathe(run) ? s.block_end - s.place : way_left(s);
+  const double back[3] = {left.x, left.y, left.z};
+  Axes work{};
+  for (std::size_t a = 0; a < std::min(axes.size(), max_axes); ++a)
+    if (const InForce* const end = find(s.after, InForce::Kind::position, axes[a])) work[a] = end->value;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (roles.xyz[i] < 0) continue;
+    const auto a = std::size_t(roles.xyz[i]);
+    work[a] -= back[i];
+    if (!runs_on_lathe(run)) continue;
+    for (const char* const key : {"position", "machine"})
+      if (PageJson& value = json[key][axes[a]]; value.is_number()) value = value.get<double>() - back[i];
+  }
+  const OpenedProgram& opened = run.opened();
+  put_lathe(json, s.lathe, axes, work, most_rpm_of(opened.machine, opened.setup), runs_on_lathe(run));
+}
+
 /// Adds to the JSON the axis positions during the block, and the distances from these positions to the end of the motion.
 void put_position(PageJson& json, const InstantState& s, const ProgramRun& run) {
   json["position"] = of_axes(s.after, InForce::Kind::position);
   json["machine"] = of_axes(s.after, InForce::Kind::machine);
   PageJson to_go = PageJson::object();
-  const Vec3 end{double(s.vertex.at[0]), double(s.vertex.at[1]), double(s.vertex.at[2])}, left = end - s.place;
+  const Vec3 left = way_left(s);
   const double gone[3] = {left.x, left.y, left.z};
   const auto& axes = run.control().axes();
   const AxisRoles roles = AxisRoles::of(axes, run.control().rotary());
@@ -165,6 +194,7 @@ PageJson state_json(const InstantState& s, const ProgramRun& run) {
                      {"H", value_of(s.after, InForce::Kind::length_offset)},
                      {"length", of_axes(s.after, InForce::Kind::length)}};
   if (s.radius) json["offsets"]["radius"] = number(*s.radius);
+  put_lathe_state(json, s, run);
   json["zero"] = of_axes(s.after, InForce::Kind::origin);
   json["variables"] = variables_json(s);
   json["seconds"] = s.at;
@@ -226,6 +256,7 @@ PageJson done_json(const ProgramRun& run, Lang lang) {
           {"tools", std::move(tools)},
           {"marks", std::move(marks)},
           {"axes", run.control().axes()},
+          {"diameters", s.extents().x_is_diameter() ? PageJson::array({"X"}) : PageJson::array()},
           {"units", s.extents().unit() == LengthUnit::inch ? "inch" : "mm"},
           {"summary", s.text(run.control().blocks(), lang)}};
 }

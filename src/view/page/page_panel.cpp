@@ -183,8 +183,8 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   if (hub_machine && server.hub->find(hub_machine->name) != hub_machine) leave_machine();
   if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   const PanelState state = hub_machine->machine->state();
-  PageJson json = panel_json(state, hub_machine->machine->axes(), lang);
   const OpenedProgram& opened = content_of(*hub_machine).program.opened();
+  PageJson json = panel_json(state, hub_machine->machine->axes(), opened, lang);
   json["alarm"] = PageJson();
   if (state.alarm) json["alarm"] = problem_json(finding_of(*state.alarm, *opened.texts, lang), state.alarm->origin.file, std::nullopt);
   show_files(json["calls"]);

@@ -9,6 +9,8 @@
 #include "texts/part_run.h"
 #include "view/page/page_inside.h"
 #include "view/proposals.h"
+#include "view/turned_json.h"
+#include "view/turned_part.h"
 
 namespace kadr {
 namespace {
@@ -30,10 +32,15 @@ tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const Pa
   const auto found = question.find("tools");
   if (found != question.end() && found->is_array()) {
     if (found->empty()) return refused(translated(texts::part_run::no_tool_given));
-    PageJson list = *found;
-    for (PageJson& tool : list)
-      // The keys `from` and `known` are removed, because proposals have them but a tool must not have them.
-      if (tool.is_object()) tool.erase("from"), tool.erase("known");
+    PageJson list = PageJson::array();
+    for (PageJson tool : *found) {
+      // The cut takes inserts of the offset table from there.
+      if (tool.is_object() && value_in<bool>(tool, "by_offset", false)) continue;
+      // These keys are removed, because proposals have them but a tool must not have them.
+      if (tool.is_object()) tool.erase("from"), tool.erase("known"), tool.erase("by_offset");
+      list.push_back(std::move(tool));
+    }
+    if (list.empty()) return ToolLibrary();
     auto tools = tools_of_list(dumped(list));
     if (!tools) return refused(tools.error());
     return std::move(*tools);
@@ -77,6 +84,7 @@ tl::expected<PartRequest, Refusal> part_request(const ServedFolder& folder, cons
 /// Returns a message that lists the tools with which the program cuts but that `tools` does not describe; empty if all tools are described.
 std::string missing_tools_message(const ProgramRun& run, const ToolLibrary& tools) {
   std::string missing;
+  if (run.opened().def->behaviour.lathe != Lathe::none) return missing;  // the offset table may describe the others
   for (const std::uint32_t number : tools_cutting(run)) {
     if (tools.find(number) != nullptr || (number == 0 && tools.tools.size() == 1)) continue;
     missing += fmt::format("{}T{}", missing.empty() ? "" : ", ", number);
@@ -111,7 +119,18 @@ PageJson proposal_json(const ProposedTool& proposed) {
   PageJson json = tool_json(proposed.tool);
   json["from"] = proposed.from;
   json["known"] = proposed.known;
+  if (proposed.by_offset) json["by_offset"] = true;
   return json;
+}
+
+/// Returns the outlines of proposed turning tools.
+std::vector<ShownInsert> inserts_of(const std::vector<ProposedTool>& tools) {
+  std::vector<ShownInsert> all;
+  for (const ProposedTool& one : tools) {
+    if (!one.known || one.tool.kind != ToolKind::turning) continue;
+    for (ShownInsert& insert : shown_inserts(one.tool)) all.push_back(std::move(insert));
+  }
+  return all;
 }
 
 }  // namespace
@@ -121,6 +140,7 @@ PageSession::Inside::Answer PageSession::Inside::cut(const PageJson& question) {
   auto request = part_request(server.folder, question);
   if (!request) return tl::unexpected(request.error());
   if (const std::string missing = missing_tools_message(*run, request->tools); !missing.empty()) return refused(missing);
+  request->zero = run->path().zero();
   auto made = PartRun::make(run->opened(), *request, token());
   if (!made) return refused(made.error());
   part_run = std::move(*made);
@@ -148,6 +168,7 @@ void PageSession::Inside::cut_part() {
   if (done) {
     event.update(cut_json(part_run->result(), part_run->alarms(), part_run->warnings()));
     event["marks"] = std::move(marks);
+    event["inserts"] = inserts_json(part_run->inserts());
     event["notes"] = part_run->notes();
   } else {
     event["error"] = {{"text", done.error()}};
@@ -160,11 +181,13 @@ PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) 
   if (!part_run) return refused(translated(texts::part_run::nothing_cut));
   const PartThen then = part_run->at(value_in<double>(question, "at", 0));
   gone = !line.frame(part_run->frame_of(then)) || gone;
-  return PageJson{{"stock", then.stock},
-                  {"left", then.left},
-                  {"triangles", then.surface.triangle_count()},
-                  {"seconds", then.seconds},
-                  {"cell", then.cell}};
+  PageJson json = {{"stock", then.stock},
+                   {"left", then.left},
+                   {"triangles", then.surface.triangle_count()},
+                   {"seconds", then.seconds},
+                   {"cell", then.cell}};
+  if (part_run->result().turned) json.update(turned_json(then, part_run->zero().z));
+  return json;
 }
 
 /// Answers with proposals of a blank and tools. `tools` in the request is a tools file to be used instead of the tools files next to the
@@ -184,8 +207,9 @@ PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& quest
     file = tools_file_for(known, *run);
   }
   const std::vector<ProposedTool> proposed = proposed_tools(*run, file);
-  PageJson json = {{"stock", guess.text(zero, is_turning(*run) && guess.is_flat(zero), radii_of(proposed))}, {"tools", PageJson::array()}};
+  PageJson json = {{"stock", guess.text(zero, turns_part(*run, guess), radii_of(proposed))}, {"tools", PageJson::array()}};
   for (const ProposedTool& tool : proposed) json["tools"].push_back(proposal_json(tool));
+  json["inserts"] = inserts_json(inserts_of(proposed));
   json["files"] = tools_files(server.folder, server.folder.shown(run->opened().path));
   return json;
 }

@@ -164,13 +164,19 @@ double max_bytes(const ProgramRun& run) {
   return std::min(longest_file, max_file * std::max(1.0, double(run.blocks()) / blocks_of_most_file));
 }
 
+PageJson part_head(const ReportPart& part) {
+  PageJson json = {{"cell", part.cell}, {"off", part.off}};
+  if (const PageJson turned = PageJson::parse(part.turned, nullptr, false); turned.is_object()) json.update(turned);
+  return json;
+}
+
 PageJson head_json(const ReportContent& c, const ReportQuanta& q) {
   PageJson json = {{"version", c.version}, {"file", c.file}, {"language", c.lang == Lang::ru ? "ru" : "en"}};
   json["quanta"] = {{"length", q.length}, {"time", q.time}, {"feed", q.feed}, {"direction", q.direction}, {"position", q.position}};
   json["en"] = texts_in(c, Lang::en);
   json["ru"] = texts_in(c, Lang::ru);
   json["made"] = json["en"]["sheet"]["date"];
-  json["part"] = c.part != nullptr ? PageJson{{"cell", c.part->cell}, {"off", c.part->off}} : PageJson();
+  json["part"] = c.part != nullptr ? part_head(*c.part) : PageJson();
   json["licences"] = c.licences;
   json["sources"] = sources_json(c);
   return json;

@@ -27,6 +27,7 @@ struct ReportPart {
   // Cell size of the stock in mm; greatest distance in mm of the reduced triangles from the exact surface of the stock.
   double cell = 0, off = 0;
   std::string result;  // result of the cut as JSON text, from cut_json()
+  std::string turned;  // sections of a turned part as JSON text, from turned_json(); empty if the part is not turned
   struct Hit {
     CutFinding finding;
     AlarmReport report;

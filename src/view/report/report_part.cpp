@@ -10,6 +10,7 @@
 #include "out/text/cut_text.h"
 #include "stock/surface/simplified_surface.h"
 #include "view/page/page_json.h"
+#include "view/turned_json.h"
 
 namespace kadr {
 namespace {
@@ -41,7 +42,15 @@ Surface with_makers(const Surface& exact, Mesh&& mesh) {
 void take_part(const PartRun& run, ReportPart& part, const StopToken& stop) {
   PartThen end = run.at(run.result().seconds);
   part.cell = end.cell;
-  part.result = dumped(cut_json(run.result(), run.alarms(), run.warnings()));
+  PageJson result = cut_json(run.result(), run.alarms(), run.warnings());
+  result["inserts"] = inserts_json(run.inserts());
+  part.result = dumped(result);
+  if (run.result().turned) {  // the triangles of a turned part are few, and its sections have no triangles
+    part.off = end.cell;
+    part.turned = dumped(turned_json(end, run.zero().z));
+    part.frame = run.frame_of(end);
+    return;
+  }
   SimplifyRules rules;
   rules.most_off = off_by_cell * end.cell;
   rules.stop = stop;

@@ -1,6 +1,6 @@
 // Computes the outline of a tool from its sizes: [diameter, height above the tip], of cutting part, shank and holder
 // (docs/commands/cut.md, Tools).
-import type { Tool } from "../protocol/types";
+import type { Insert, Tool } from "../protocol/types";
 
 export type Outline = [number, number][];
 export interface Shape {
@@ -8,6 +8,13 @@ export interface Shape {
   cutting: Outline;
   shank: Outline;
   holder: Outline;
+  inserts?: Insert[];
+}
+
+/// Returns the shape with the outlines of its insert, if it is a turning tool.
+export function with_inserts(shape: Shape, inserts: readonly Insert[]): Shape {
+  const own = inserts.filter((x) => x.tool === shape.number);
+  return own.length ? { ...shape, inserts: own } : shape;
 }
 
 const arc_steps = 8; // per quarter circle: finer than a pixel of the pictures

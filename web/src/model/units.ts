@@ -33,6 +33,9 @@ export const places = (): number => (unit() === "inch" ? 4 : 3);
 
 export const length_unit = (): string => t(unit() === "inch" ? "inch" : "mm");
 export const feed_unit = (): string => t(unit() === "inch" ? "inch_min" : "mm_min");
+/// Of a feed per revolution of the spindle.
+export const turn_unit = (): string => t(unit() === "inch" ? "inch_turn" : "mm_turn");
+export const surface_unit = (): string => t(unit() === "inch" ? "foot_min" : "m_min");
 export const volume_unit = (): string => t(unit() === "inch" ? "inch3" : "mm3");
 /// Converts mm³ to the shown unit.
 export const volume = (mm3: number): number => (unit() === "inch" ? mm3 / mm_per_inch ** 3 : mm3);

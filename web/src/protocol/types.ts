@@ -107,6 +107,19 @@ export interface Variable {
   value: number | string | null;
   changed?: boolean;
 }
+/// Constant surface speed: m/min, and the highest speed of the spindle that the program permits, rev/min.
+export interface Surface {
+  speed: number;
+  most: number | null;
+}
+/// The row of a lathe's offset table that is in force: true lengths in mm, tip by its number.
+export interface ToolOffset {
+  row: number;
+  geometry: Axes;
+  wear: Axes;
+  radius: number;
+  tip: number;
+}
 export interface State {
   at: number;
   number: number;
@@ -129,6 +142,10 @@ export interface State {
   modal: Modal[];
   offsets: { T?: number; D?: number; H?: number; radius?: number; length?: Axes };
   zero: Axes;
+  diameters?: string[];
+  feed_per_turn?: number | null;
+  surface?: Surface | null;
+  tool_offset?: ToolOffset | null;
   variables: Variable[];
   limits?: string | null;
   seconds: number;
@@ -181,6 +198,7 @@ export interface Done {
   tools: ToolTime[];
   marks: Mark[];
   axes: string[];
+  diameters?: string[];
   units: "mm" | "inch";
   unstated?: string;
 }
@@ -199,6 +217,9 @@ export interface Tool {
   tip?: number;
   flute_length?: number;
   length?: number;
+  points?: string; // of an insert: direction of its programmed point
+  lead?: number;
+  width?: number;
   profile?: [number, number][];
   shank?: unknown;
   holder?: unknown;
@@ -206,6 +227,13 @@ export interface Tool {
   flute_count?: number;
   from?: string;
   known?: boolean;
+  by_offset?: boolean; // an insert of the offset table, which the cut takes from there
+}
+/// The outline of one body of a turning tool, [x, z] from the programmed point.
+export interface Insert {
+  tool: number;
+  part: "cutting" | "shank" | "holder";
+  outline: [number, number][];
 }
 export interface CutQuestion {
   stock: string;
@@ -221,6 +249,18 @@ export interface Finding extends Problem {
   depth: number;
   tool: number;
 }
+/// A thread as it was cut; lengths in mm.
+export interface CutThread {
+  line: number;
+  tool: number;
+  lead?: number;
+  passes: number;
+  outer: boolean;
+  from: { diameter: number; Z: number };
+  to: { diameter: number; Z: number };
+  crest?: number;
+  depth?: number;
+}
 export interface CutResult {
   stock: number;
   left: number;
@@ -233,19 +273,28 @@ export interface CutResult {
   tools?: { tool: number; removed: number; seconds: number; greatest_rate: number }[];
   marks?: Mark[];
   notes?: string[];
+  inserts?: Insert[];
+  turned?: { surface: number; machined: number };
+  threads?: CutThread[];
   error?: { text: string };
 }
 export interface Proposals {
   stock: string;
   tools: Tool[];
   files?: string[];
+  inserts?: Insert[];
 }
+/// Polygons of [radius, Z].
+export type SectionPolygons = readonly (readonly (readonly [number, number])[])[];
 export interface PartAnswer {
   stock: number;
   left: number;
   triangles: number;
   seconds: number;
   cell: number;
+  section?: SectionPolygons;
+  section_y?: SectionPolygons;
+  edges?: readonly (readonly [number, number])[]; // radius and Z
 }
 export interface SheetTool {
   number: number;
@@ -265,6 +314,7 @@ export interface Sheet {
   machine: string | null;
   date: string;
   zeros: { name: string; values: Axes }[];
+  diameters?: string[];
   tools: SheetTool[];
   extents: { cutting: Box | null; all: Box | null };
   seconds: number;
@@ -347,6 +397,10 @@ export interface Panel {
   tool: number | null;
   offsets: { T?: number | null; D?: number | null; H?: number | null };
   zero: Axes;
+  diameters?: string[];
+  feed_per_turn?: number | null;
+  surface?: Surface | null;
+  tool_offset?: ToolOffset | null;
   calls: Call[];
   alarm: Problem | null;
   holds: boolean;
@@ -362,6 +416,7 @@ export interface PanelChannel {
   axes: string[];
   position: Axes;
   machine: Axes;
+  diameters?: string[];
   feed: number;
   speed: number;
   moves: boolean;

@@ -1,6 +1,7 @@
 // The contents of a report (docs/panel-protocol.md, A report): JSON, and pieces of path and part as packed columns.
 // They become the frames that a session would have sent.
 import { write_part, write_path, write_rows } from "../protocol/frames";
+import type { TurnedSection } from "../scene/section";
 import type { CutResult, Done, Finding, Language, Opened, Problem, Sheet } from "../protocol/types";
 
 /// Texts in one language.
@@ -23,7 +24,7 @@ export interface ReportData {
   licences: string;
   en: Told;
   ru: Told;
-  part: { cell: number; off: number } | null;
+  part: ({ cell: number; off: number } & Partial<TurnedSection>) | null;
 }
 export interface Report {
   data: ReportData;

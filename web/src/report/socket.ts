@@ -109,6 +109,9 @@ export class ReportSocket implements Socket {
       triangles: this.part_frame.triangles.length / 3,
       seconds: 0,
       cell: data.part?.cell ?? cut.resolution ?? 0,
+      ...(data.part?.section
+        ? { section: data.part.section, section_y: data.part.section_y, edges: data.part.edges }
+        : {}),
     };
   }
 
@@ -124,9 +127,9 @@ export class ReportSocket implements Socket {
     const { done, opened } = this.told;
     const s = q.number === undefined ? this.path.at(Number(q.at)) : this.path.of_block(Number(q.number));
     if (!s) return { error: { text: "no path" } };
-    const axes = done.axes.length >= 3 ? done.axes.slice(0, 3) : ["X", "Y", "Z"];
+    const axes = ["X", "Y", "Z"].filter((a) => !done.axes.length || done.axes.includes(a)); // a lathe has no Y
     const of_axes = (v: number[], zero: number[]): Axes =>
-      Object.fromEntries(axes.map((name, i) => [name, v[i]! - zero[i]!]));
+      Object.fromEntries(axes.map((name) => [name, v["XYZ".indexOf(name)]! - zero["XYZ".indexOf(name)]!]));
     const file_name = s.file === 0 ? "" : (this.report.data.sources.find((x) => x.file === s.file)?.name ?? "");
     return {
       at: s.at,
@@ -147,6 +150,7 @@ export class ReportSocket implements Socket {
       modal: [],
       offsets: {},
       zero: {},
+      diameters: done.diameters ?? [],
       variables: [],
       calls: [],
       seconds: s.at,

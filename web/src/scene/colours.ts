@@ -21,6 +21,8 @@ export interface Theme {
   cut_part: number;
   tool: number;
   holder: number;
+  section: number; // cut face of a turned part
+  ink: number; // its lines
 }
 
 const opaque = (hex: number): Rgba => [hex >> 16, (hex >> 8) & 255, hex & 255, 255];
@@ -41,6 +43,8 @@ export const light: Theme = {
   cut_part: 0x8fb3dd,
   tool: 0xd08a1d,
   holder: 0x6b7480,
+  section: 0xe3e8ee,
+  ink: 0x1d242d,
 };
 export const dark: Theme = {
   ground: 0x10151c,
@@ -58,6 +62,8 @@ export const dark: Theme = {
   cut_part: 0x5b86ba,
   tool: 0xf0b24a,
   holder: 0x8b95a1,
+  section: 0x2b3644,
+  ink: 0xdde5ee,
 };
 export const by_tool = [0x0b7ad6, 0xd2691e, 0x2e9e5b, 0xa44bd0, 0xc93a55, 0x1a9aa8, 0x9a8a12, 0x7a6a5a].map(opaque);
 export const colour_of_tool = (tool: number): Rgba => by_tool[tool % by_tool.length]!;

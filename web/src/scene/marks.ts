@@ -18,6 +18,7 @@ import { jump } from "../protocol/frames";
 import type { Theme } from "./colours";
 import type { Point, ToolShape } from "./types";
 import type { Drawn } from "./path_view";
+import { insert_mesh } from "./turned_view";
 
 const around = 64,
   up = new Vector3(0, 0, 1);
@@ -34,6 +35,7 @@ export function empty(group: Object3D): void {
 
 /// Returns the tool in its true shape, with the tip at the origin; without a shape a cone of that height.
 export function tool_mesh(shape: ToolShape | undefined, cone: number, theme: Theme): Group {
+  if (shape?.inserts?.length) return insert_mesh(shape.inserts, theme);
   const group = new Group();
   const lathe = (outline: readonly [number, number][], colour: number, opacity: number): void => {
     const points = outline.map(([d, z]) => new Vector2(d / 2, z));

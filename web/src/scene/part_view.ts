@@ -8,7 +8,8 @@ const blank = 65535; // "made by" of a surface that no tool has touched
 const pale = 0.55; // how far a tool's colour is mixed with that of the blank, so that the path in full colour remains visible on it
 
 /// Both sides are drawn, so that a section is not open.
-export function part_mesh(part: PartFrame, zero: Point, theme: Theme, planes: Plane[]): Mesh {
+/// `quarter`: only what is outside all planes is cut off, not what is outside one of them.
+export function part_mesh(part: PartFrame, zero: Point, theme: Theme, planes: Plane[], quarter = false): Mesh {
   const g = new BufferGeometry(),
     n = part.points.length / 3,
     points = new Float32Array(3 * n),
@@ -26,7 +27,9 @@ export function part_mesh(part: PartFrame, zero: Point, theme: Theme, planes: Pl
   g.setAttribute("position", new BufferAttribute(points, 3));
   g.setAttribute("color", new BufferAttribute(colours, 3, true));
   g.setIndex(new BufferAttribute(part.triangles, 1));
-  return new Mesh(g, part_material(planes));
+  const material = part_material(planes);
+  material.clipIntersection = quarter;
+  return new Mesh(g, material);
 }
 
 /// Flat shading: a face of the part keeps its edges, and the frame needs no normals.

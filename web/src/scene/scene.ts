@@ -31,6 +31,8 @@ import { distance_between } from "./measure";
 import { part_material, part_mesh } from "./part_view";
 import { carry_of } from "./carry";
 import { PathView } from "./path_view";
+import type { TurnedSection } from "./section";
+import { quarter_planes, section_view } from "./turned_view";
 import { pick, type Hit } from "./pick";
 import type { OfPathFrame, PartFrame } from "../protocol/frames";
 import type { Joint } from "../protocol/types";
@@ -86,6 +88,8 @@ export class Scene {
   private bounds: SceneBounds | null = null;
   private reach = new Box3(); // of the machine's limits and zones as they are drawn, from the zero
   private part_shown: PartFrame | null = null;
+  private turned: TurnedSection | null = null; // sections of the shown part, if it is turned
+  private half = false; // a turned part is shown in half section
   private lit_line: [number, number] | null = null;
   private tool_drawn = "";
   private mode: SceneMode = "orbit";
@@ -333,17 +337,43 @@ export class Scene {
 
   setPart(part: PartFrame | null): void {
     this.part_shown = part;
+    if (!part) this.turned = null;
+    this.draw_part();
+  }
+
+  /// The sections of the part that was shown last; null: it is not turned.
+  setTurned(turned: TurnedSection | null): void {
+    this.turned = turned;
+    this.draw_part();
+  }
+
+  private draw_part(): void {
     empty(this.part);
-    if (part) this.part.add(part_mesh(part, this.path.zero, this.theme, this.planes));
+    const { part_shown: part, turned } = this,
+      quarter = this.half && turned !== null;
+    if (this.half) this.planes = quarter ? quarter_planes() : [];
+    if (part) this.part.add(part_mesh(part, this.path.zero, this.theme, this.planes, quarter));
+    if (part && turned && quarter) this.part.add(section_view(turned, this.path.zero[2], this.theme, this.planes));
     this.touch();
   }
 
   /// Cuts the part at `at` of an axis; `flip` removes the other side. The path stays whole.
   setSection(axis: 0 | 1 | 2 | null, at: number, flip: boolean): void {
+    if (this.half) {
+      this.half = false;
+      this.planes = [];
+      this.draw_part();
+    }
     const sign = flip ? 1 : -1;
     this.planes.length = 0; // the part's material holds this same list
     if (axis !== null) this.planes.push(new Plane(new Vector3().setComponent(axis, sign), -sign * at));
     this.touch();
+  }
+  /// Shows a turned part in half section: cut open above the axis, from outside below it.
+  setHalf(): void {
+    if (this.half) return;
+    this.half = true;
+    this.draw_part();
   }
 
   view(name: ViewName | string): void {

@@ -1,5 +1,5 @@
 // The interface of the 3D view. Lengths in mm, times in s, relative to the picture's zero.
-import type { Bounds, Box } from "../protocol/types";
+import type { Bounds, Box, Insert } from "../protocol/types";
 
 export type Point = [number, number, number];
 export type ColourBy = "kind" | "tool" | "feed" | "speed" | "slowed" | "time" | "depth";
@@ -44,6 +44,7 @@ export interface ToolShape {
   cutting: [number, number][];
   shank: [number, number][];
   holder: [number, number][];
+  inserts?: Insert[]; // of a turning tool
 }
 /// The point or edge that a click in the view measures from. `direction`: of an edge, length 1.
 export interface Anchor {

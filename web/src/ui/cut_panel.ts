@@ -1,25 +1,20 @@
 // Cutting: blank and tools as proposed, which can be changed; then the progress, the collisions, and the remaining
 // stock.
 import type { App } from "../model/app";
-import { box_of, proper, stock_of } from "../model/stock";
-import { shape_of } from "../model/tool_shape";
-import type { Box, PartAnswer, Problem, Tool } from "../protocol/types";
+import { box_of, cylinder_of, extent_of, proper, stock_of, stock_of_cylinder, type Cylinder } from "../model/stock";
+import { shape_of, with_inserts } from "../model/tool_shape";
+import { diameter_sign } from "../model/diameters";
+import type { Box, CutThread, Insert, PartAnswer, Problem, Tool } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
-import { length_told, short, volume_told } from "./figures";
+import { length, length_told, short, volume_told } from "./figures";
 import { tool_picture } from "./outline";
 import { CutProblems } from "./problems_panel";
 import { fact } from "./summary";
 
 const kinds = ["flat", "ball", "bull", "drill", "taper", "chamfer", "tslot", "form", "turning"];
-const sizes: (keyof Tool & ("diameter" | "corner" | "angle" | "tip" | "flute_length" | "length"))[] = [
-  "diameter",
-  "corner",
-  "angle",
-  "tip",
-  "flute_length",
-  "length",
-];
+const sizes: (keyof Tool & ("diameter" | "corner" | "angle" | "lead" | "width" | "tip" | "flute_length" | "length"))[] =
+  ["diameter", "corner", "angle", "lead", "width", "tip", "flute_length", "length"];
 const sizes_of: Record<string, string[]> = {
   flat: [],
   ball: [],
@@ -27,7 +22,20 @@ const sizes_of: Record<string, string[]> = {
   drill: ["angle", "tip"],
   chamfer: ["angle", "tip"],
   taper: ["angle"],
+  turning: ["corner", "angle", "lead", "width"],
 };
+/// The programmed point of an insert, by the directions from the nose's centre, with the number of the imaginary tip.
+const tips: [string, string][] = [
+  ["-x-z", "3"],
+  ["-x+z", "4"],
+  ["+x-z", "2"],
+  ["+x+z", "1"],
+  ["-x", "8"],
+  ["+x", "6"],
+  ["-z", "7"],
+  ["+z", "5"],
+  ["centre", "0, 9"],
+];
 
 export class CutPanel {
   readonly element = h("div", { class: "cut" });
@@ -36,6 +44,7 @@ export class CutPanel {
   private files: string[] = []; // tools files next to the program
   private fixtures: string[] = [];
   private resolution = "";
+  private inserts: Insert[] = []; // outlines of the turning tools as proposed, or as cut
   private known = false;
   private of: string | null = null; // the program that blank and tools belong to
   private touched = false; // by the user
@@ -47,7 +56,7 @@ export class CutPanel {
 
   constructor(
     private app: App,
-    private shown: (stock: Box | null, tools: Tool[]) => void,
+    private shown: (stock: Box | null, tools: Tool[], inserts: Insert[]) => void,
     jump: (p: Problem) => void,
   ) {
     this.hit = new CutProblems(app, jump);
@@ -65,6 +74,10 @@ export class CutPanel {
       if (part === null) this.part = app.cut_ready ? this.part : null;
       this.draw_told(part);
       if (part === null || part === 0) this.draw_run();
+      if (part === null && app.cut?.inserts?.length) {
+        this.inserts = app.cut.inserts;
+        this.show();
+      }
     });
     app.on_part_told.on((p) => {
       this.part = p;
@@ -92,6 +105,7 @@ export class CutPanel {
       } else this.tools.push(...(p.tools ?? []).filter((x) => !this.tools.some((y) => y.number === x.number)));
       this.of = opened;
       this.files = p.files ?? [];
+      this.inserts = p.inserts ?? [];
       this.known = true;
     } catch {
       this.known = true; /* a program without motion has no blank: the form stays empty */
@@ -102,7 +116,9 @@ export class CutPanel {
   /// Reads the tools from a file next to the program.
   private async take_file(file: string): Promise<void> {
     try {
-      this.tools = (await this.app.client.ask("proposals", { tools: file })).tools;
+      const found = await this.app.client.ask("proposals", { tools: file });
+      this.tools = found.tools;
+      this.inserts = found.inserts ?? [];
     } catch (e) {
       this.app.tell(e);
     }
@@ -152,7 +168,11 @@ export class CutPanel {
     );
     this.draw_run();
     this.draw_told(null);
-    if (this.known) this.shown(box_of(this.stock), this.tools);
+    this.show();
+  }
+
+  private show(): void {
+    if (this.known) this.shown(extent_of(this.stock), this.tools, this.inserts);
   }
 
   private draw_run(): void {
@@ -167,7 +187,8 @@ export class CutPanel {
   }
 
   private stock_form(): HTMLElement {
-    const box = box_of(this.stock);
+    const box = box_of(this.stock),
+      cylinder = cylinder_of(this.stock);
     const text = h(
       "label",
       { class: "field" },
@@ -181,6 +202,7 @@ export class CutPanel {
         { class: "wide" },
       ),
     );
+    if (cylinder) return h("div", null, this.cylinder_form(cylinder), text);
     if (!box) return text;
     const cell = (corner: 0 | 1, i: number): HTMLElement =>
       h(
@@ -215,6 +237,33 @@ export class CutPanel {
       ),
       !proper(box) && h("p", { class: "hint error" }, t("stock_inside_out")),
       text,
+    );
+  }
+
+  /// A bar or a tube about Z.
+  private cylinder_form(c: Cylinder): HTMLElement {
+    const field = (key: keyof Cylinder, name: TextKey): HTMLElement =>
+      h(
+        "label",
+        { class: "field small" },
+        h("span", null, t(name)),
+        this.input(
+          String(c[key]),
+          (v) => {
+            const n = Number(v.replace(",", "."));
+            if (Number.isFinite(n)) this.stock = stock_of_cylinder({ ...c, [key]: n });
+            this.draw();
+          },
+          { inputmode: "decimal" },
+        ),
+      );
+    return h(
+      "div",
+      { class: "bar-form" },
+      field("diameter", "blank_diameter"),
+      field("bore", "blank_bore"),
+      field("from", "blank_from"),
+      field("to", "blank_to"),
     );
   }
 
@@ -253,31 +302,50 @@ export class CutPanel {
   }
 
   private tool_form(x: Tool): HTMLElement {
-    const more = sizes_of[x.kind] ?? ["corner", "angle", "tip"];
+    const more = sizes_of[x.kind] ?? ["corner", "angle", "tip"],
+      turns = x.kind === "turning";
+    const changed = (): void => {
+      delete x.by_offset; // it is no longer what the offset table says
+      this.inserts = this.inserts.filter((i) => i.tool !== x.number);
+      this.draw();
+    };
+    const point = h(
+      "select",
+      {
+        "aria-label": t("tip_number"),
+        title: t("tip_number"),
+        onchange: () => {
+          x.points = point.value;
+          changed();
+        },
+      },
+      ...tips.map(([points, number]) => option(points, `${points} (${number})`, points === x.points)),
+    );
     const select = h(
       "select",
       {
         "aria-label": t("kind"),
         onchange: () => {
           x.kind = select.value;
-          this.draw();
+          if (x.kind === "turning") x.points ??= "-x-z";
+          changed();
         },
       },
       ...kinds.map((k) => option(k, t(`kind_${k}` as TextKey), k === x.kind)),
     );
     const fields = sizes
-      .filter((s) => ["diameter", "flute_length", "length", ...more].includes(s))
+      .filter((s) => [turns ? "" : "diameter", "flute_length", "length", ...more].includes(s))
       .map((s) =>
         h(
           "label",
           { class: "field small" },
-          h("span", null, t(s)),
+          h("span", null, t(turns && s === "corner" ? "nose_radius" : s)),
           this.input(
             x[s] === undefined ? "" : String(x[s]),
             (v) => {
               if (v.trim() === "") delete x[s];
               else x[s] = Number(v.replace(",", "."));
-              this.draw();
+              changed();
             },
             { inputmode: "decimal" },
           ),
@@ -287,12 +355,12 @@ export class CutPanel {
       "fieldset",
       { class: x.known === false ? "tool-form unknown" : "tool-form" },
       h("legend", null, `T${x.number} ${x.name ?? ""}`),
-      tool_picture(shape_of(x), `T${x.number}`, 44, 96),
+      tool_picture(with_inserts(shape_of(x), this.inserts), `T${x.number}`, 44, 96),
       h(
         "div",
         { class: "tool-fields" },
         x.known === false && h("p", { class: "hint" }, t("shape_unknown")),
-        h("div", { class: "row" }, select, h("span", { class: "dim from" }, x.from ?? "")),
+        h("div", { class: "row" }, select, turns && point, h("span", { class: "dim from" }, x.from ?? "")),
         h("div", { class: "fields" }, ...fields),
       ),
     );
@@ -330,13 +398,14 @@ export class CutPanel {
           ...fact(t("stock"), volume_told(c.stock)),
           ...fact(t("removed"), volume_told(c.removed)),
           ...fact(t("left"), volume_told(c.left)),
-          ...fact(t("cell"), length_told(c.resolution)),
+          ...(c.turned ? [] : fact(t("cell"), length_told(c.resolution))),
+          ...(c.threads ?? []).flatMap((x) => fact(t("thread_of", { tool: x.tool }), thread_told(x))),
         ),
       this.part &&
         h(
           "p",
           { class: "note" },
-          t("part_told", {
+          t(this.part.section ? "turned_told" : "part_told", {
             left: volume_told(this.part.left),
             triangles: short(this.part.triangles),
             cell: length_told(this.part.cell),
@@ -346,4 +415,15 @@ export class CutPanel {
       ...this.hit.rows(),
     );
   }
+}
+
+/// "Ø 24.000 – Ø 21.546, lead 2.000 mm, 8 passes".
+function thread_told(x: CutThread): string {
+  const crest = x.crest ?? x.from.diameter;
+  return t("thread_told", {
+    crest: `${diameter_sign} ${length(crest)}`,
+    root: `${diameter_sign} ${length(x.to.diameter)}`,
+    lead: x.lead === undefined ? "–" : length_told(x.lead),
+    passes: x.passes,
+  });
 }

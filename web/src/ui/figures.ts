@@ -1,4 +1,5 @@
 // Formats of figures: the same everywhere on the page.
+import { axis_name, factor, no_diameters, type Diameters } from "../model/diameters";
 import { in_unit, length_unit, places, turns, unit, volume, volume_unit } from "../model/units";
 
 export function coordinate(v: number | undefined | null): string {
@@ -16,15 +17,27 @@ export function length(mm: number | undefined | null): string {
 /// The same with its name.
 export const length_told = (mm: number | undefined | null): string => `${length(mm)} ${length_unit()}`;
 
-/// Formats a position: degrees of a rotary axis stay as they are.
-export const axis_value = (axis: string, v: number | undefined | null): string =>
-  turns(axis) ? coordinate(v) : length(v);
+/// Formats a position: degrees of a rotary axis stay as they are, an axis of `of` is shown as a diameter.
+export const axis_value = (axis: string, v: number | undefined | null, of: Diameters = no_diameters): string =>
+  turns(axis) ? coordinate(v) : length(typeof v === "number" ? factor(axis, of) * v : v);
+
+/// Formats a point of the view: its axes by their names, with the sign of a diameter.
+export const point_told = (
+  p: readonly number[],
+  of: Diameters,
+  axes: readonly string[] = ["X", "Y", "Z"],
+  sign = "",
+): string => axes.map((a) => `${sign}${axis_name(a, of)} ${axis_value(a, p["XYZ".indexOf(a)], of)}`).join("  ");
 
 /// Formats mm/min, without the unit's name.
 export function feed(mm_min: number | undefined | null, digits = 0): string {
   if (mm_min === undefined || mm_min === null) return "–";
   return short(in_unit(mm_min), digits + (unit() === "inch" ? 1 : 0));
 }
+
+/// Formats m/min of a surface speed, as feet per minute where inches are shown.
+export const surface_figure = (m_min: number): string => short(unit() === "inch" ? m_min / m_per_foot : m_min, 1);
+const m_per_foot = 0.3048;
 
 /// Formats mm³.
 export const volume_figure = (mm3: number | undefined | null): string =>

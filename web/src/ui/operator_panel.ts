@@ -5,13 +5,26 @@ import type { Operator } from "../model/operator";
 import type { Panel, PanelChannel } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
-import { axis_unit, feed_unit } from "../model/units";
-import { axis_value, feed, short } from "./figures";
+import { axis_name, factor, is_diameter, no_diameters, type Diameters } from "../model/diameters";
+import { axis_unit, feed_unit, surface_unit, turn_unit } from "../model/units";
+import { axis_value, feed, length, short, surface_figure } from "./figures";
 import { RestartPanel } from "./restart_panel";
 import { ShiftPanel } from "./shift_panel";
+import { turning_offset } from "./state_pane";
 import { TablesPanel } from "./tables_panel";
 import { TouchPanel, type TouchDoor } from "./touch_panel";
 import { WatchPanel } from "./watch_panel";
+
+/// The speed of the spindle: rev/min, and with constant surface speed also that speed and the limit of G50.
+function spindle_told(p: Panel): [string, string][] {
+  const now = p.rpm === null ? "–" : `${short(p.rpm)} ${t("rev_min")}`;
+  if (!p.surface) return [["S", now]];
+  return [
+    ["S", `${surface_figure(p.surface.speed)} ${surface_unit()}`],
+    ["n", now],
+    ["S max", p.surface.most === null ? "–" : `${short(p.surface.most)} ${t("rev_min")}`],
+  ];
+}
 
 const steps = [0.01, 0.1, 1, 10, 100],
   most_history = 50;
@@ -96,6 +109,7 @@ export class OperatorPanel {
       p.can_undo,
       p.asks,
       this.step,
+      p.diameters,
     ]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
@@ -254,7 +268,8 @@ export class OperatorPanel {
     if (p.number !== this.codes.number)
       this.codes = { number: p.number, now: new Set(p.modal.map((m) => m.code)), before: this.codes.now };
     const is_new = (code: string): boolean => this.codes.before.size > 0 && !this.codes.before.has(code);
-    const cell = (a: string, v: number | null | undefined): HTMLElement => h("td", null, axis_value(a, v));
+    const of = p.diameters ?? no_diameters;
+    const cell = (a: string, v: number | null | undefined): HTMLElement => h("td", null, axis_value(a, v, of));
     fill(
       this.figures,
       h(
@@ -280,7 +295,7 @@ export class OperatorPanel {
             h(
               "tr",
               null,
-              h("th", { scope: "row" }, a),
+              h("th", { scope: "row", title: is_diameter(a, of) ? t("is_diameter") : "" }, axis_name(a, of)),
               cell(a, p.position[a]),
               cell(a, p.machine[a]),
               cell(a, p.togo[a]),
@@ -295,13 +310,21 @@ export class OperatorPanel {
         ...(
           [
             ["F", `${feed(p.feed, 1)} ${feed_unit()}`],
+            ...(typeof p.feed_per_turn === "number"
+              ? ([["F", `${length(p.feed_per_turn)} ${turn_unit()}`]] as const)
+              : []),
             ["V", `${feed(p.speed)} ${feed_unit()}`],
-            ["S", p.rpm === null ? "–" : `${short(p.rpm)} ${t("rev_min")}`],
+            ...spindle_told(p),
             ["T", p.tool ?? "–"],
-            ["D", p.offsets.D ?? "–"],
-            ["H", p.offsets.H ?? "–"],
+            ...(p.tool_offset
+              ? ([] as const)
+              : ([
+                  ["D", p.offsets.D ?? "–"],
+                  ["H", p.offsets.H ?? "–"],
+                ] as const)),
           ] as const
         ).map(([name, v]) => h("span", null, h("b", null, name), ` ${v}`)),
+        p.tool_offset && h("span", { class: "figures turning-offset" }, ...turning_offset(p.tool_offset, of)),
         h("span", { class: "dim share" }, `${Math.floor(100 * p.share + 1e-6)} %`),
         h("span", { class: "dim limit", title: t("limit_long") }, p.limit),
       ),
@@ -345,11 +368,24 @@ export class OperatorPanel {
           h(
             "div",
             { class: "row wrap" },
-            ...c.axes.map((a) => h("span", null, h("b", null, a), ` ${axis_value(a, c.position[a])}`)),
+            ...c.axes.map((a) =>
+              h(
+                "span",
+                null,
+                h("b", null, axis_name(a, c.diameters ?? [])),
+                ` ${axis_value(a, c.position[a], c.diameters)}`,
+              ),
+            ),
           ),
         ),
       ),
     );
+  }
+
+  /// The axes in diameter programming of a channel; 0: the own one.
+  private diameters(channel: number): Diameters {
+    const p = this.operator.panel;
+    return (channel ? p?.channels.find((c) => c.number === channel)?.diameters : p?.diameters) ?? no_diameters;
   }
 
   private draw_hands(p: Panel): void {
@@ -376,10 +412,12 @@ export class OperatorPanel {
     const go = (axis: string, way: number, channel = 0): void =>
       void operator.ask("jog", {
         axis,
-        way: way * this.step,
+        way: (way * this.step) / factor(axis, this.diameters(channel)),
         feed: Number(feed.value.replace(",", ".")) || 0,
         ...(channel ? { channel } : {}),
       });
+    const jog_title = (k: { axis: string; channel: number }): string =>
+      is_diameter(k.axis, this.diameters(k.channel)) ? t("step_is_diameter") : "";
     const several = p.channels.length > 1,
       keys = several
         ? p.channels.flatMap((c) => c.axes.map((axis) => ({ axis, channel: c.number, name: `${c.number}:${axis}` })))
@@ -419,8 +457,16 @@ export class OperatorPanel {
         "div",
         { class: "jog-keys" },
         ...keys.flatMap((k) => [
-          button(`${k.name}−`, () => go(k.axis, -1, k.channel), { disabled: off, "aria-label": `${k.name} −` }),
-          button(`${k.name}+`, () => go(k.axis, 1, k.channel), { disabled: off, "aria-label": `${k.name} +` }),
+          button(`${k.name}−`, () => go(k.axis, -1, k.channel), {
+            disabled: off,
+            "aria-label": `${k.name} −`,
+            title: jog_title(k),
+          }),
+          button(`${k.name}+`, () => go(k.axis, 1, k.channel), {
+            disabled: off,
+            "aria-label": `${k.name} +`,
+            title: jog_title(k),
+          }),
         ]),
       ),
     );

@@ -5,9 +5,12 @@ import { Restart } from "../model/restart";
 import type { BesideSheet, RestartPlace, RestartRow, RestartSheet } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, redraw } from "./dom";
+import { axis_name, factor, no_diameters, type Diameters } from "../model/diameters";
 import { coordinate } from "./figures";
 
-const written = (row: RestartRow, v: string | number | null): string =>
+/// Positions, origins and lengths along an axis in diameter programming are shown as diameters.
+const of_an_axis = ["position", "machine", "origin", "length"];
+const written = (row: RestartRow, v: string | number | null, of: Diameters): string =>
   v === null
     ? "–"
     : typeof v === "string"
@@ -16,7 +19,7 @@ const written = (row: RestartRow, v: string | number | null): string =>
         ? String(v)
         : ["tool", "selected", "offset", "length_offset"].includes(row.kind)
           ? String(v)
-          : coordinate(v);
+          : coordinate(of_an_axis.includes(row.kind) ? factor(row.name, of) * v : v);
 
 export class RestartPanel {
   readonly element = h("details", { class: "restart" });
@@ -53,7 +56,7 @@ export class RestartPanel {
     this.element.hidden = !p;
     if (!p) return;
     const may = p.holds && ["standing", "ended"].includes(p.mode);
-    const wanted = JSON.stringify([may, r.sheet, r.ways, [...r.leave], r.searching, this.element.open]);
+    const wanted = JSON.stringify([may, p.diameters, r.sheet, r.ways, [...r.leave], r.searching, this.element.open]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
     fill(
@@ -184,13 +187,13 @@ export class RestartPanel {
             ...(["restart_wanted", "restart_now", "restart_by"] as const).map((x) => h("th", { scope: "col" }, t(x))),
           ),
         ),
-        h("tbody", null, ...other.map((row) => this.row(row, may))),
+        h("tbody", null, ...other.map((row) => this.row(row, may, s.number))),
       ),
       h(
         "details",
         null,
         h("summary", { class: "dim" }, t("restart_same", { n: same.length })),
-        h("table", { class: "restart-rows" }, h("tbody", null, ...same.map((row) => this.row(row, false)))),
+        h("table", { class: "restart-rows" }, h("tbody", null, ...same.map((row) => this.row(row, false, s.number)))),
       ),
     ];
   }
@@ -230,7 +233,14 @@ export class RestartPanel {
     );
   }
 
-  private row(row: RestartRow, may: boolean): HTMLElement {
+  /// The axes in diameter programming of a channel.
+  private diameters(channel: number): Diameters {
+    const p = this.operator.panel;
+    return p?.channels.find((c) => c.number === channel)?.diameters ?? p?.diameters ?? no_diameters;
+  }
+
+  private row(row: RestartRow, may: boolean, channel: number): HTMLElement {
+    const of = this.diameters(channel);
     const name = t(`force_${row.kind}` as TextKey),
       leaves = this.restart.leave.has(row.key);
     const how = row.may_be_left
@@ -251,9 +261,9 @@ export class RestartPanel {
     return h(
       "tr",
       { class: row.by && !leaves ? "differs" : "" },
-      h("th", { scope: "row" }, `${name} ${row.name}`),
-      h("td", null, written(row, row.wanted)),
-      h("td", null, written(row, row.now)),
+      h("th", { scope: "row" }, `${name} ${of_an_axis.includes(row.kind) ? axis_name(row.name, of) : row.name}`),
+      h("td", null, written(row, row.wanted, of)),
+      h("td", null, written(row, row.now, of)),
       h("td", null, how),
     );
   }
@@ -285,6 +295,7 @@ export class RestartPanel {
 
   private way(s: RestartSheet | BesideSheet, may: boolean): HTMLElement {
     const { restart: r } = this,
+      of = this.diameters(s.number),
       way = r.way(s.number),
       own = s.number === r.sheet!.number,
       name = own ? t("restart_way") : `${t("channel_n", { n: s.number })}: ${t("restart_way")}`;
@@ -300,14 +311,14 @@ export class RestartPanel {
             inputmode: "decimal",
             "aria-label": `${name} ${i + 1} ${axis}`,
             disabled: !may,
-            value: (v - (s.zero[axis] ?? 0)).toFixed(3),
+            value: (factor(axis, of) * (v - (s.zero[axis] ?? 0))).toFixed(3),
             onchange: () => {
               const v = Number(input.value.replace(",", "."));
               input.value = input.defaultValue;
-              r.set_point(i, axis, v, s.number);
+              r.set_point(i, axis, v / factor(axis, of), s.number);
             },
           });
-          return h("label", { class: "field" }, h("span", null, axis), input);
+          return h("label", { class: "field" }, h("span", null, axis_name(axis, of)), input);
         }),
         !p.rapid && h("span", { class: "dim" }, `F${p.feed}`),
       );

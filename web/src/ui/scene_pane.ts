@@ -17,7 +17,8 @@ import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { filter_form } from "./filters";
 import { feed_unit, length_unit } from "../model/units";
-import { coordinate, feed, length, length_told, short } from "./figures";
+import { diameter_sign, is_diameter, no_diameters, widest, type Diameters } from "../model/diameters";
+import { coordinate, feed, length, length_told, point_told, short } from "./figures";
 import { Flags, flags_of } from "./flags";
 import { legend } from "./legend";
 import { icon } from "./icons";
@@ -46,9 +47,14 @@ export class ScenePane {
   private colour = remembered<ColourBy>("colour", "kind");
   private flat = remembered("orthographic", true);
   private measuring = false;
+  private is_lathe = false;
   private touched: ((place: Point, normal: Point) => void) | null = null;
   private counted: [number, number] = [0, 0]; // drawn segments, and all
-  private section: { axis: 0 | 1 | 2 | null; part: number; flip: boolean } = { axis: null, part: 0.5, flip: false };
+  private section: { axis: 0 | 1 | 2 | "half" | null; part: number; flip: boolean } = {
+    axis: null,
+    part: 0.5,
+    flip: false,
+  };
   filter: SceneFilter = {
     rapids: true,
     tools: null,
@@ -88,7 +94,12 @@ export class ScenePane {
     app.on_opening.on(() => this.scene?.setJoints([]));
     app.on_done.on((done) => this.scene?.setJoints(done.joints));
     app.on_opened.on((o) => this.scene?.setBounds(o.bounds ?? null));
-    app.on_opened.on((o) => this.scene?.setLathe(o.control.lathe ?? false));
+    app.on_opened.on((o) => this.show_lathe(o.control.lathe ?? false));
+    app.on_part_told.on((p) =>
+      this.scene?.setTurned(
+        p?.section ? { section: p.section, section_y: p.section_y ?? [], edges: p.edges ?? [] } : null,
+      ),
+    );
     this.scene?.setColour(this.colour);
     this.scene?.setProjection(this.flat);
     this.scene?.setFilter(this.filter);
@@ -158,13 +169,27 @@ export class ScenePane {
     if (box)
       this.flags.set(
         "figures",
-        figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity).map((at, k) => ({
-          kind: "figure" as const,
-          at,
-          text: length_told(box[1][k]! - box[0][k]!),
-        })),
+        figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity)
+          .map((at, k) => ({ kind: "figure" as const, at, text: this.figure_told(box, k) }))
+          .filter((_, k) => this.axes.includes("XYZ"[k]!)),
       );
     this.flags.place(view, this.element.clientWidth, this.element.clientHeight);
+  }
+
+  /// Along an axis in diameter programming the greatest diameter, else the size.
+  private figure_told(box: [Point, Point], k: number): string {
+    const is_wide = is_diameter("XYZ"[k]!, this.diameters);
+    return is_wide
+      ? `${diameter_sign} ${length_told(widest(box[0][k]!, box[1][k]!))}`
+      : length_told(box[1][k]! - box[0][k]!);
+  }
+  private get diameters(): Diameters {
+    return this.app.done?.diameters ?? no_diameters;
+  }
+  /// X, Y, Z of the program; a lathe may have no Y.
+  private get axes(): string[] {
+    const { axes } = this.app.done ?? {};
+    return ["X", "Y", "Z"].filter((a) => !axes?.length || axes.includes(a));
   }
 
   /// Places the marks of the program that has been run.
@@ -204,10 +229,10 @@ export class ScenePane {
     if (!a) return this.measuring ? t("measure_how") : "";
     const named = (e: typeof a): string =>
       `${t(`anchor_${e.kind}`)}${e.radius ? ` R ${length(e.radius)}` : ""} (${t("line_n", { line: e.line })})`;
-    const at = (p: Point): string => `X ${length(p[0])}  Y ${length(p[1])}  Z ${length(p[2])} ${length_unit()}`;
+    const at = (p: Point): string => `${point_told(p, this.diameters, this.axes)} ${length_unit()}`;
     if (!b || !distance) return `${named(a)}: ${at(a.place)}\n${t("measure_next")}`;
     const d = distance.delta.map(Math.abs) as Point;
-    const parts = `ΔX ${length(d[0])}  ΔY ${length(d[1])}  ΔZ ${length(d[2])} ${length_unit()}`;
+    const parts = `${point_told(d, this.diameters, this.axes, "Δ")} ${length_unit()}`;
     const angle = distance.angle === null ? "" : `   ∠ ${coordinate(distance.angle)}°`;
     return `${named(a)} – ${named(b)}\n${t("distance")} ${length_told(distance.distance)}   ${parts}${angle}`;
   }
@@ -220,7 +245,7 @@ export class ScenePane {
       long = v.length ? ` · L ${length(v.length)}` : "";
     this.tip.textContent = [
       `${t("line_n", { line: v.line })} · ${kind}${radius}${long} · T${v.tool}`,
-      `X ${length(v.at[0])}  Y ${length(v.at[1])}  Z ${length(v.at[2])} ${length_unit()}`,
+      `${point_told(v.at, this.diameters, this.axes)} ${length_unit()}`,
       `${v.feed ? `F ${feed(v.feed, 1)} · ` : ""}V ${feed(v.speed)} ${feed_unit()}`,
     ].join("\n");
     const box = this.element.getBoundingClientRect();
@@ -267,7 +292,8 @@ export class ScenePane {
 
   private draw_section(): void {
     const { section } = this,
-      box = this.app.done?.extents.all;
+      box = this.app.done?.extents.all,
+      is_plane = section.axis !== null && section.axis !== "half";
     const change = (): void => this.cut_through();
     const axis = h(
       "select",
@@ -275,12 +301,13 @@ export class ScenePane {
         "aria-label": t("section"),
         title: t("section"),
         onchange: () => {
-          section.axis = axis.value === "" ? null : (Number(axis.value) as 0 | 1 | 2);
+          section.axis = axis.value === "" ? null : axis.value === "half" ? "half" : (Number(axis.value) as 0 | 1 | 2);
           change();
           this.draw_section();
         },
       },
       option("", t("section_none"), section.axis === null),
+      ...(this.is_lathe ? [option("half", t("section_half"), section.axis === "half")] : []),
       ...[0, 1, 2].map((i) => option(String(i), `${t("section")} ${"XYZ"[i]}`, section.axis === i)),
     );
     const at = h("input", {
@@ -298,8 +325,8 @@ export class ScenePane {
     fill(
       this.below,
       axis,
-      section.axis !== null && box && at,
-      section.axis !== null &&
+      is_plane && box && at,
+      is_plane &&
         button(
           icon("flip"),
           () => {
@@ -308,7 +335,7 @@ export class ScenePane {
           },
           { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") },
         ),
-      section.axis !== null && h("span", { class: "section-told" }),
+      is_plane && h("span", { class: "section-told" }),
       button(t("measure"), () => this.toggle_measure(), {
         "aria-pressed": this.measuring,
         title: `${t("measure")} (M)`,
@@ -319,9 +346,19 @@ export class ScenePane {
     change();
   }
 
+  /// A lathe's part is shown in half section, until the user chooses otherwise.
+  private show_lathe(on: boolean): void {
+    this.scene?.setLathe(on);
+    if (on === this.is_lathe) return;
+    this.is_lathe = on;
+    this.section.axis = on ? "half" : null;
+    this.draw_section();
+  }
+
   private cut_through(): void {
     const { axis, part, flip } = this.section,
       box = this.app.done?.extents.all;
+    if (axis === "half") return this.scene?.setHalf();
     if (axis === null || !box) return this.scene?.setSection(null, 0, false);
     const margin = 5,
       low = box[0][axis]! - margin,

@@ -6,6 +6,7 @@ import type { Shape } from "../model/tool_shape";
 import { t } from "../texts/texts";
 import { open_dialog } from "./dialog";
 import { button, h } from "./dom";
+import { axis_name, no_diameters } from "../model/diameters";
 import { axis_unit, length_unit } from "../model/units";
 import { axis_value, clock, length } from "./figures";
 import { tool_picture } from "./outline";
@@ -23,7 +24,7 @@ export async function show_sheet(app: App, picture: () => Promise<Blob>, shapes:
     (b) => URL.createObjectURL(b),
     () => "",
   ); // the sheet is useful without a picture too
-  open_dialog(t("sheet"), sheet_element(sheet, image, shapes), {
+  open_dialog(t("sheet"), sheet_element(sheet, image, shapes, app.done?.axes), {
     wide: true,
     tools: button(t("print"), () => window.print(), { class: "main" }),
     closed: () => {
@@ -32,7 +33,8 @@ export async function show_sheet(app: App, picture: () => Promise<Blob>, shapes:
   });
 }
 
-export function sheet_element(s: Sheet, image: string, shapes: Shape[]): HTMLElement {
+/// `axes` of the program: a lathe has no Y.
+export function sheet_element(s: Sheet, image: string, shapes: Shape[], axes?: string[]): HTMLElement {
   return h(
     "article",
     { class: "sheet" },
@@ -60,7 +62,7 @@ export function sheet_element(s: Sheet, image: string, shapes: Shape[]): HTMLEle
       "div",
       { class: "sheet-columns" },
       h("div", null, h("h3", null, t("zeros")), zeros(s)),
-      h("div", null, h("h3", null, t("extents")), extents(s.extents)),
+      h("div", null, h("h3", null, t("extents")), extents(s.extents, axes, s.diameters)),
     ),
     s.stops.length > 0 && h("h3", null, t("stops")),
     s.stops.length > 0 && notes(s.stops.map((x) => [x.line, `${clock(x.at)}  ${x.text}`])),
@@ -129,6 +131,7 @@ function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
 }
 
 function zeros(s: Sheet): HTMLElement {
+  const of = s.diameters ?? no_diameters;
   if (!s.zeros.length) return h("p", { class: "note" }, t("zeros_none"));
   return h(
     "table",
@@ -145,7 +148,7 @@ function zeros(s: Sheet): HTMLElement {
             "td",
             { class: "text" },
             Object.entries(z.values)
-              .map(([a, v]) => `${a} ${axis_value(a, v)} ${axis_unit(a)}`)
+              .map(([a, v]) => `${axis_name(a, of)} ${axis_value(a, v, of)} ${axis_unit(a)}`)
               .join(", ") || t("zero_unstated"),
           ),
         ),

@@ -1,11 +1,12 @@
 // The control's screen at the instant of the slider: positions, feed, spindle, tool, modal codes, variables, calls,
 // passes.
 import type { App } from "../model/app";
-import type { Axes, Passes, State } from "../protocol/types";
+import { axis_name, is_diameter, no_diameters, type Diameters } from "../model/diameters";
+import type { Axes, Passes, State, ToolOffset } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
-import { axis_unit, feed_unit, length_unit } from "../model/units";
-import { axis_value, clock, feed, length, short } from "./figures";
+import { axis_unit, feed_unit, length_unit, surface_unit, turn_unit } from "../model/units";
+import { axis_value, clock, feed, length, short, surface_figure } from "./figures";
 import { icon } from "./icons";
 import { Latest } from "../model/latest";
 
@@ -107,7 +108,9 @@ export class StatePane {
 
   private positions(s: State): HTMLElement {
     const names = [...new Set([...Object.keys(s.position ?? {}), ...Object.keys(s.machine ?? {})])];
-    const cell = (axes: Axes | undefined, name: string): HTMLElement => h("td", null, axis_value(name, axes?.[name]));
+    const of = s.diameters ?? this.app.done?.diameters ?? no_diameters;
+    const cell = (axes: Axes | undefined, name: string): HTMLElement =>
+      h("td", null, axis_value(name, axes?.[name], of));
     const has_machine = Object.keys(s.machine ?? {}).length > 0; // a report has only the path
     return h(
       "table",
@@ -132,7 +135,7 @@ export class StatePane {
           h(
             "tr",
             null,
-            h("th", { scope: "row" }, n),
+            h("th", { scope: "row", title: is_diameter(n, of) ? t("is_diameter") : "" }, axis_name(n, of)),
             cell(s.position, n),
             has_machine && cell(s.machine, n),
             cell(s.togo, n),
@@ -149,7 +152,11 @@ export class StatePane {
       { class: "figures" },
       figure("F", feed(s.feed, 1), t("feed_programmed"), feed_unit()),
       figure("V", feed(s.speed), t("feed_reached"), feed_unit()),
-      s.rpm !== null && figure("S", short(s.rpm), t("spindle"), t("rev_min")),
+      typeof s.feed_per_turn === "number" && figure("F", length(s.feed_per_turn), t("feed_per_turn"), turn_unit()),
+      s.surface && figure("S", surface_figure(s.surface.speed), t("surface_speed"), surface_unit()),
+      s.rpm !== null && figure(s.surface ? "n" : "S", short(s.rpm), t("spindle"), t("rev_min")),
+      s.surface &&
+        figure("S max", s.surface.most === null ? "–" : short(s.surface.most), t("speed_limit"), t("rev_min")),
       s.limits ? h("div", { class: "limits" }, `${t("limited_by")} ${s.limits}`) : null,
     );
   }
@@ -159,6 +166,13 @@ export class StatePane {
       lengths = lengths_told(o.length);
     const name = this.app.done?.tools.find((x) => x.tool === s.tool)?.name;
     const knows = Object.keys(o).length > 0;
+    if (s.tool_offset)
+      return h(
+        "div",
+        { class: "figures" },
+        figure("T", String(s.tool || "–"), name || t("tool")),
+        ...turning_offset(s.tool_offset, s.diameters ?? no_diameters),
+      );
     return h(
       "div",
       { class: "figures" },
@@ -188,12 +202,13 @@ export class StatePane {
 
   private zero(s: State): HTMLElement | null {
     if (!Object.keys(s.zero ?? {}).length) return null;
+    const of = s.diameters ?? no_diameters;
     return h(
       "div",
       { class: "row zero" },
       h("span", { class: "dim" }, t("zero")),
       ...Object.entries(s.zero ?? {}).map(([a, v]) =>
-        h("span", null, h("b", null, a), ` ${axis_value(a, v)} ${axis_unit(a)}`),
+        h("span", null, h("b", null, axis_name(a, of)), ` ${axis_value(a, v, of)} ${axis_unit(a)}`),
       ),
     );
   }
@@ -246,6 +261,25 @@ export class StatePane {
   }
 }
 
+/// The row of a lathe's offset table: geometry and wear of each axis that has one, nose radius, number of the tip.
+export function turning_offset(o: ToolOffset, of: Diameters): HTMLElement[] {
+  const axes = Object.keys(o.geometry).filter((a) => a !== "Y" || o.geometry[a] || o.wear[a]);
+  const title = (a: string, kind: string): string => (is_diameter(a, of) ? `${kind}, ${t("is_diameter")}` : kind);
+  return [
+    ...axes.flatMap((a) => [
+      figure(
+        axis_name(a, of),
+        axis_value(a, o.geometry[a], of),
+        title(a, t("geometry_of", { row: o.row })),
+        length_unit(),
+      ),
+      figure(axis_name(a, of), axis_value(a, o.wear[a], of), title(a, t("wear_of", { row: o.row })), length_unit()),
+    ]),
+    figure("R", length(o.radius), t("nose_radius"), length_unit()),
+    figure("T", String(o.tip), t("tip_number")),
+  ];
+}
+
 /// The axes that have a length; a length along Z only, as on a mill, is written without its letter.
 export function lengths_told(lengths: Axes | undefined): string {
   const all = Object.entries(lengths ?? {}),
@@ -259,7 +293,7 @@ export function lengths_told(lengths: Axes | undefined): string {
 const value = (v: number | string | null): string =>
   typeof v === "number" ? String(Number(v.toPrecision(9))) : (v ?? "–");
 
-function figure(name: string, v: string, title: string, its_unit = ""): HTMLElement {
+export function figure(name: string, v: string, title: string, its_unit = ""): HTMLElement {
   return h(
     "div",
     { class: "figure", title: its_unit ? `${title}, ${its_unit}` : title },

@@ -3,8 +3,9 @@ import type { App } from "../model/app";
 import type { Box } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
+import { axis_name, no_diameters, type Diameters } from "../model/diameters";
 import { in_unit, length_unit, unit } from "../model/units";
-import { clock, length, short } from "./figures";
+import { axis_value, clock, length, short } from "./figures";
 import { icon } from "./icons";
 
 export class SummaryPanel {
@@ -38,7 +39,7 @@ export class SummaryPanel {
         ...fact(t("units"), t(d.units === "inch" ? "units_inch" : "units_mm")),
       ),
       h("h3", null, t("extents")),
-      extents(d.extents, d.axes),
+      extents(d.extents, d.axes, d.diameters),
       this.tools(),
     );
   }
@@ -96,15 +97,20 @@ const metres = (mm: number): string =>
       : `${mm.toFixed(1)} ${t("mm")}`;
 export const fact = (name: string, v: string): HTMLElement[] => [h("dt", null, name), h("dd", null, v)];
 
-export function extents(e: { cutting: Box | null; all: Box | null }, axes: string[] = ["X", "Y", "Z"]): HTMLElement {
+/// Axes of `diameters` are shown as diameters.
+export function extents(
+  e: { cutting: Box | null; all: Box | null },
+  axes: string[] = ["X", "Y", "Z"],
+  diameters: Diameters = no_diameters,
+): HTMLElement {
   const row = (name: string, b: Box | null, i: number): HTMLElement =>
     h(
       "tr",
       null,
-      h("th", { scope: "row" }, name),
-      h("td", null, length(b?.[0][i])),
-      h("td", null, length(b?.[1][i])),
-      h("td", null, b ? length(b[1][i]! - b[0][i]!) : "–"),
+      h("th", { scope: "row" }, axis_name(name, diameters)),
+      h("td", null, axis_value(name, b?.[0][i], diameters)),
+      h("td", null, axis_value(name, b?.[1][i], diameters)),
+      h("td", null, b ? axis_value(name, b[1][i]! - b[0][i]!, diameters) : "–"),
     );
   // the box has X, Y, Z; a lathe has no Y
   const names = ["X", "Y", "Z"].map((n, i) => ({ n, i })).filter(({ n }) => axes.includes(n));

@@ -4,9 +4,14 @@ import type { Operator } from "../model/operator";
 import type { Json, JsonTable, Tables } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option, redraw } from "./dom";
+import { axis_name, factor, no_diameters } from "../model/diameters";
 import { toast } from "./toast";
 
 const offset_columns = ["length", "length_wear", "radius", "radius_wear"];
+const lathe_columns = ["X", "X_wear", "Z", "Z_wear", "radius", "radius_wear", "tip"];
+/// A lathe's tools have a length along each axis.
+const columns_of_offsets = (operator: Operator): string[] =>
+  operator.panel?.diameters?.length ? lathe_columns : offset_columns;
 const of_rows = ["work_offsets", "zeros", "offsets", "tool_table", "form_table"]; // a row has columns; the others have one value per row
 
 const table = (of: Json | undefined): JsonTable => (of && typeof of === "object" && !Array.isArray(of) ? of : {});
@@ -114,6 +119,7 @@ export class TablesPanel {
             { disabled: !may },
           ),
       ),
+      (p.diameters ?? []).length > 0 && h("p", { class: "note" }, t("tables_radii", { axes: p.diameters!.join(", ") })),
       !s.lasts && h("p", { class: "note" }, t("tables_not_kept")),
       this.section === "variables" ? this.variables(s, may) : this.rows(s, may),
       this.section === "offsets" &&
@@ -137,7 +143,7 @@ export class TablesPanel {
     const columns = !by_columns
       ? []
       : this.section === "offsets"
-        ? offset_columns
+        ? columns_of_offsets(this.operator)
         : ["work_offsets", "zeros"].includes(this.section)
           ? this.operator.axes
           : [...new Set(names.flatMap((n) => [...Object.keys(table(of_file[n])), ...Object.keys(table(edited[n]))]))];
@@ -284,14 +290,19 @@ export class TablesPanel {
   /// Shifts the work offset in force so that the tool's position reads the wanted value.
   private touch_off(may: boolean): HTMLElement | false {
     const p = this.operator.panel!,
-      zero = this.zero();
+      zero = this.zero(),
+      of = p.diameters ?? no_diameters;
     if (!zero) return false;
-    const axis = h("select", { "aria-label": t("axis") }, ...this.operator.axes.map((a) => option(a, a, false))),
+    const axis = h(
+        "select",
+        { "aria-label": t("axis") },
+        ...this.operator.axes.map((a) => option(a, axis_name(a, of), false)),
+      ),
       wanted = h("input", { size: "8", value: "0", inputmode: "decimal", "aria-label": t("value") });
     const go = (): void => {
       const a = axis.value,
         v = this.read(wanted.value);
-      if (typeof v === "number" && p.position[a] !== undefined) zero.shift(a, p.position[a]! - v);
+      if (typeof v === "number" && p.position[a] !== undefined) zero.shift(a, p.position[a]! - v / factor(a, of));
     };
     return h(
       "div",

@@ -6,6 +6,7 @@ import { touch_at, type Touch, type TouchRules } from "../model/touch";
 import type { Point } from "../scene/scene";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h, redraw } from "./dom";
+import { axis_name, diameter_sign, factor, is_diameter, no_diameters } from "../model/diameters";
 import { coordinate } from "./figures";
 import { toast } from "./toast";
 
@@ -153,12 +154,13 @@ export class TouchPanel {
   }
 
   private result(touch: Touch, may: boolean): HTMLElement {
+    const of = this.operator.panel?.diameters ?? no_diameters;
     const zero = this.door.zero(),
       wanted = h("input", { size: "8", value: "0", inputmode: "decimal", "aria-label": t("value") });
     const set = (): void => {
       const v = Number(wanted.value.replace(",", "."));
       if (zero && Number.isFinite(v)) {
-        zero.shift(touch.axis, touch.at - v);
+        zero.shift(touch.axis, touch.at - v / factor(touch.axis, of));
         this.chosen = null;
         this.draw();
       }
@@ -172,7 +174,11 @@ export class TouchPanel {
         h(
           "span",
           null,
-          t("touch_place", { axis: touch.axis, sense: touch.sense > 0 ? "−" : "+", at: coordinate(touch.at) }),
+          t("touch_place", {
+            axis: touch.axis,
+            sense: touch.sense > 0 ? "−" : "+",
+            at: `${is_diameter(touch.axis, of) ? `${diameter_sign} ` : ""}${coordinate(factor(touch.axis, of) * touch.at)}`,
+          }),
         ),
         button(t("touch_go"), () => void this.go(), { class: "main", disabled: !may }),
       ),
@@ -183,7 +189,7 @@ export class TouchPanel {
               "div",
               { class: "row" },
               h("span", null, t("touch_zero", { code: zero.code })),
-              h("b", null, touch.axis),
+              h("b", null, axis_name(touch.axis, of)),
               h("span", null, "="),
               wanted,
               button(t("touch_off_set"), set, { disabled: this.operator.panel!.takes_tables }),
