@@ -115,10 +115,14 @@ OPTIONS = [
     ('nct', ['--zero', '1=X1'], '--zero 1=X1: ', not_of('zeros', 'nct', 'work_offsets')),
     ('nct', ['--zero', 'G54=X1,X2'], '', ('--zero G54=X1,X2: want G54=X-400,Y-250,Z-300, or NUMBER=X… (mm, degrees; each axis once)', None)),
     ('nct', ['--zero', 'G54'], '', ('--zero G54: want G54=X-400,Y-250,Z-300, or NUMBER=X… (mm, degrees; each axis once)', None)),
-    ('nct', ['--tool', '1:x8'], '', ('--tool 1:x8: want NUMBER:r8,l100 (r radius, l length, rw and lw wear, mm; each once)',
-                                     '--tool 1:x8: нужно НОМЕР:r8,l100 (r радиус, l вылет, rw и lw износ, мм; каждый один раз)')),
-    ('nct', ['--tool', '1:r8,'], '', ('--tool 1:r8,: want NUMBER:r8,l100 (r radius, l length, rw and lw wear, mm; each once)', None)),
-    ('nct', ['--tool', '1:rnan'], '', ('--tool 1:rnan: want NUMBER:r8,l100 (r radius, l length, rw and lw wear, mm; each once)', None)),
+    ('nct', ['--tool', '1:q8'], '', ('--tool 1:q8: want NUMBER:r8,l100 (r radius, l length, rw and lw wear, mm; '
+                                     'of a turning tool x, y, z geometry, xw, yw, zw wear, t number of the tip; each once)',
+                                     '--tool 1:q8: нужно НОМЕР:r8,l100 (r радиус, l вылет, rw и lw износ, мм; '
+                                     'у резца x, y, z — геометрия, xw, yw, zw — износ, t — номер вершины; каждый один раз)')),
+    ('nct', ['--tool', '1:r8,'], '', ('--tool 1:r8,: want NUMBER:r8,l100 (r radius, l length, rw and lw wear, mm; '
+                                      'of a turning tool x, y, z geometry, xw, yw, zw wear, t number of the tip; each once)', None)),
+    ('nct', ['--tool', '1:rnan'], '', ('--tool 1:rnan: want NUMBER:r8,l100 (r radius, l length, rw and lw wear, mm; '
+                                       'of a turning tool x, y, z geometry, xw, yw, zw wear, t number of the tip; each once)', None)),
     ('nct', ['--tool', '1000:r8'], '--tool 1000:r8: ', must_be('offsets.1000', 'named by a whole number, 1 to 999', 'номер — целое число от 1 до 999')),
     ('nct', ['--corrector', '3=1'], '--corrector 3=1: ', not_of('correctors', 'nct', 'offsets')),
     ('correctors', ['--corrector', '3=X1'], '', ('--corrector 3=X1: want NUMBER=-0.35 (mm)', '--corrector 3=X1: нужно НОМЕР=-0.35 (мм)')),

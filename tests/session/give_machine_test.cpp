@@ -2,6 +2,7 @@
 
 #include "session/give_machine.h"
 
+#include "config/machine/machine_axes.h"
 #include "kinematics/machine_tree.h"
 #include "session/a_session.h"
 
@@ -68,7 +69,7 @@ TEST(give_machine, m_codes_of_the_machine) {
     ControlDef def = *test::shared_control(id);
     const CodeRow* const before = m_row(def, 55);
     EXPECT_EQ(before != nullptr, id == std::string("fanuc-t"));
-    EXPECT_EQ(adapt_to_machine(def, setup), "") << id;
+    EXPECT_EQ(fit_to_machine(def, setup), "") << id;
     ASSERT_NE(m_row(def, 55), nullptr) << id;
     EXPECT_EQ(m_row(def, 55)->text.en, "steady rest") << id;
     EXPECT_EQ(m_row(def, 55)->function, Function::machine_function) << id;
