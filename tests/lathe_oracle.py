@@ -109,7 +109,7 @@ class Figure:
 
     def is_closed_later(self):
         last = self.pieces[-1]
-        return last.c is None and abs(last.a[1] - last.b[1]) < EPS < last.b[1]
+        return last.b[0] - last.a[0] > EPS and last.b[1] > EPS
 
     def heights(self, motions, allowance):
         """Returns what motions (kind, (Z, X), centre, ccw) cut, the figure moved by the allowance (Z, X): the heights of stock.py."""
@@ -196,7 +196,7 @@ def figure_faults(rs274, kadr, seed):
         theirs = of_rs274(rs274, folder, text)
         if isinstance(theirs, str):
             return text, f'rs274: {theirs}'
-        # A figure that ends in a cylinder is closed up to S by 2.9.3 and later, and Kadr, but not before (docs/controls/linuxcnc-notes.md)
+        # A figure that does not end in a shoulder at S's level is closed up to it by 2.9.3 and later, and Kadr, but not before (docs/controls/linuxcnc-notes.md)
         same = None if one.is_closed_later() else linuxcnc_oracle.difference(rs274, kadr, folder, 'main.ngc', text)
         if same:
             return text, f'kadr run --control linuxcnc: {same}'

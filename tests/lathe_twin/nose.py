@@ -4,6 +4,7 @@ the control has found.
 Checked of G71, G72 and G70: the nose never cuts into the figure with its allowance; the last pass touches each place of it that the nose
 can reach; the passes of a roughing are those of the slow reference for the figure of the last pass.
 """
+import itertools
 import math
 
 from lathe_twin import programs, rough
@@ -148,19 +149,24 @@ class NoseProgram:
         home = to_frame(self.start)
         made = rough.TypeTwo(figure, self.step, self.escape, 'rapid').all(home=home) if self.two_axes \
             else rough.type_one(figure, self.step, self.escape, 'rapid', home=home)
-        got = [(kind, to_frame(to)) for kind, to, *_ in ours[1:-1]]
-        got = [one for one, before in zip(got, [(None, home), *got]) if one[0] == 'arc' or math.dist(one[1], before[1]) > 1e-7]
-        if not got or math.dist(got[0][1], (0.0, 0.0)) > 1e-6:
-            got.insert(0, ('rapid', (0.0, 0.0)))
-        at, number = (0.0, 0.0), 1
-        for kind, to, *_ in made:
-            if kind != 'arc' and math.dist(at, to) < 1e-7:
-                continue
-            at = to
-            if number >= len(got) or got[number][0] != kind or math.dist(got[number][1], to) > 5e-5:
-                return [f'pass motion {number}: {got[number] if number < len(got) else None}, wanted {kind, to}']
-            number += 1
+        mapped = [(kind, to_frame(to), centre and to_frame(centre), ccw != over) for kind, to, centre, ccw, _ in ours[1:-1]]
+        got, want = as_one([('rapid', (0.0, 0.0), None, False), *mapped]), as_one([('rapid', (0.0, 0.0), None, False), *made])
+        for number, (have, one) in enumerate(itertools.zip_longest(got, want)):
+            if not have or not one or have[0] != one[0] or math.dist(have[1], one[1]) > 5e-5:
+                return [f'pass motion {number}: {have}, wanted {one}']
         return []
+
+
+def as_one(moves):
+    """Leaves out moves of no length, and joins the parts of an arc. The first move counts as made."""
+    done = moves[:1]
+    for kind, to, centre, ccw in moves[1:]:
+        before = done[-1]
+        if kind != 'arc' and math.dist(to, before[1]) < 1e-7:
+            continue
+        goes_on = kind == 'arc' == before[0] and math.dist(centre, before[2]) < 1e-5 and ccw == before[3]
+        done[len(done) - goes_on:] = [(kind, to, centre, ccw)]
+    return done
 
 
 def on_a_level(pieces, step):
