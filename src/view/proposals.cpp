@@ -100,6 +100,20 @@ ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std:
   return made;
 }
 
+/// Returns true if the file and the offset table together describe the tools of a lathe's program. A file of milling tools with the same
+/// numbers does not.
+bool describes_lathe(const ProgramRun& run, const ToolLibrary& tools, const std::vector<std::uint32_t>& numbers) {
+  bool any = false;
+  for (const std::uint32_t number : numbers) {
+    const ToolGeometry* const known = tools.find(number);
+    ProposedTool by_table;
+    by_table.tool.number = number;
+    if (known == nullptr ? !take_insert(run, by_table) : known->kind != ToolKind::turning && known->kind != ToolKind::drill) return false;
+    any = any || known != nullptr;
+  }
+  return any;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> tools_cutting(const ProgramRun& run) {
@@ -113,6 +127,7 @@ std::vector<std::uint32_t> tools_cutting(const ProgramRun& run) {
 const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const ProgramRun& run) {
   const std::vector<std::uint32_t> numbers = tools_cutting(run);
   const auto describes = [&](const KnownTools& file) {
+    if (is_lathe(run)) return describes_lathe(run, file.tools, numbers);
     return std::all_of(numbers.begin(), numbers.end(),
                        [&](std::uint32_t n) { return file.tools.find(n) != nullptr || (n == 0 && file.tools.tools.size() == 1); });
   };

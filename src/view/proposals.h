@@ -31,8 +31,8 @@ struct KnownTools {
 /// Returns the numbers of the tools with which the program cuts; tool 0 for a program that calls no tool.
 std::vector<std::uint32_t> tools_cutting(const ProgramRun& run);
 
-/// Returns the file that describes all tools with which the program cuts. If several files qualify, returns the file with the name of the
-/// program, or with the name "tools".
+/// Returns the file that describes all tools with which the program cuts; on a lathe's control together with the offset table. If several
+/// files qualify, returns the file with the name of the program, or with the name "tools".
 ///   returns  nullptr if no file qualifies
 const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const ProgramRun& run);
 

@@ -81,7 +81,9 @@ TEST(TurnedSurface, AThreadRemovesItsGroove) {
     for (std::size_t i = 0; i < with.point_count(); ++i) {
       const double r = std::hypot(with.point(i).x, with.point(i).y);
       if (r > 0 && r < 20) deepest = outer ? deepest : std::max(deepest, r);
-      if (outer && r > 1e-6) EXPECT_GE(r, 9 - 1e-5);
+      if (outer && r > 1e-6) {
+        EXPECT_GE(r, 9 - 1e-5);
+      }
     }
     EXPECT_LE(deepest, 11 + 1e-5);
   }
@@ -92,7 +94,9 @@ TEST(TurnedSurface, MakersStayApart) {
   const auto maker = [](Vec2 a, Vec2 b) { return a.x == 20 && b.x == 20 ? 7 : -1; };
   const Surface surface = turned_surface({region, {}, maker, 0.01});
   for (std::size_t i = 0; i < surface.point_count(); ++i)
-    if (surface.made_by[i] == 7) EXPECT_NEAR(std::hypot(surface.point(i).x, surface.point(i).y), 20, 1e-4);
+    if (surface.made_by[i] == 7) {
+      EXPECT_NEAR(std::hypot(surface.point(i).x, surface.point(i).y), 20, 1e-4);
+    }
   EXPECT_NE(std::count(surface.made_by.begin(), surface.made_by.end(), 7), 0);
 }
 

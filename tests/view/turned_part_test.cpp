@@ -156,10 +156,18 @@ TEST(TurnedPart, TheFrameSaysWhoMadeEachPoint) {
   for (std::size_t i = 0; i < points; ++i) {
     const double radius = std::hypot(double(at[3 * i]), double(at[3 * i + 1])), z = double(at[3 * i + 2]);
     ++by_line[line[i]];
-    if (line[i] == 6) EXPECT_NEAR(radius, 20, 0.41) << z;
-    if (line[i] == 8) EXPECT_NEAR(radius, 20 + (-30 - z), 0.5) << z;
-    if (tool[2 * i] == 3) EXPECT_TRUE(line[i] == 17 || line[i] == 18);
-    if (line[i] == 0) EXPECT_EQ(tool[2 * i], 65535);
+    if (line[i] == 6) {
+      EXPECT_NEAR(radius, 20, 0.41) << z;
+    }
+    if (line[i] == 8) {
+      EXPECT_NEAR(radius, 20 + (-30 - z), 0.5) << z;
+    }
+    if (tool[2 * i] == 3) {
+      EXPECT_TRUE(line[i] == 17 || line[i] == 18);
+    }
+    if (line[i] == 0) {
+      EXPECT_EQ(tool[2 * i], 65535);
+    }
   }
   for (const std::uint32_t one : {0U, 6U, 8U, 12U, 18U}) EXPECT_GT(by_line[one], 0U) << one;
 }
