@@ -6,17 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "stock/turned/edge_distance.h"
+
 namespace kadr {
 namespace {
 
 constexpr double at_axis = 1e-6;                      // mm; a corner this near to the axis lies on it
 constexpr int least_chords = 12, most_chords = 4096;  // chords around the axis
-
-double off_line(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double square = dot(d, d), part = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  return length(a + part * d - p);
-}
 
 /// Marks the corners between two others that a polyline within `deviation` mm needs (Douglas, Peucker 1973).
 void mark(const TurnedPolygon& p, std::size_t first, std::size_t last, double deviation, std::vector<bool>& needed) {
@@ -27,7 +23,7 @@ void mark(const TurnedPolygon& p, std::size_t first, std::size_t last, double de
     double most = deviation;
     std::size_t farthest = a;
     for (std::size_t i = a + 1; i < b; ++i)
-      if (const double off = off_line(p[i], p[a], p[b % p.size()]); off > most) most = off, farthest = i;
+      if (const double off = distance_to_edge(p[i], p[a], p[b % p.size()]); off > most) most = off, farthest = i;
     if (farthest == a) continue;
     needed[farthest] = true;
     open.push_back({a, farthest});
@@ -41,17 +37,11 @@ TurnedPolygon simplified(const TurnedPolygon& p, double deviation) {
   for (std::size_t i = 1; i < p.size(); ++i)
     if (length(p[i] - p[0]) > length(p[opposite] - p[0])) opposite = i;
   needed[0] = needed[opposite] = true;
-  mark(p, 0, opposite, deviation, needed);
-  mark(p, opposite, p.size(), deviation, needed);
+  mark_needed_corners(p, deviation, needed);
   TurnedPolygon few;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (needed[i]) few.push_back(p[i]);
   return few.size() >= 3 ? few : p;
-}
-
-int chords_for(double radius, double deviation) {
-  if (!(deviation < radius)) return least_chords;
-  return std::clamp(int(std::ceil(std::numbers::pi / std::acos(1 - deviation / radius))), least_chords, most_chords);
 }
 
 /// Adds the circle of points that a corner describes; a corner on the axis is one point. Returns the number of the first point.
@@ -77,12 +67,34 @@ void add_cone(Mesh& mesh, std::uint32_t a, std::uint32_t b, bool a_point, bool b
 
 }  // namespace
 
+void mark_needed_corners(const TurnedPolygon& polygon, double deviation, std::vector<bool>& needed) {
+  std::vector<std::size_t> fixed;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    if (needed[i]) fixed.push_back(i);
+  for (std::size_t k = 0; k + 1 < fixed.size(); ++k) mark(polygon, fixed[k], fixed[k + 1], deviation, needed);
+  if (fixed.front() == 0) {
+    mark(polygon, fixed.back(), polygon.size(), deviation, needed);
+    return;
+  }
+  TurnedPolygon last(polygon.begin() + std::ptrdiff_t(fixed.back()), polygon.end());  // from the last fixed corner over 0 to the first one
+  last.insert(last.end(), polygon.begin(), polygon.begin() + std::ptrdiff_t(fixed.front()) + 1);
+  std::vector<bool> of_last(last.size());
+  mark(last, 0, last.size() - 1, deviation, of_last);
+  for (std::size_t i = 0; i < last.size(); ++i)
+    if (of_last[i]) needed[(fixed.back() + i) % polygon.size()] = true;
+}
+
+int chords_around(double radius, double deviation) {
+  if (!(deviation < radius)) return least_chords;
+  return std::clamp(int(std::ceil(std::numbers::pi / std::acos(1 - deviation / radius))), least_chords, most_chords);
+}
+
 Mesh turned_mesh(const TurnedRegion& region, double deviation) {
   Mesh mesh;
   double widest = 0;
   for (const TurnedPolygon& polygon : region)
     for (const Vec2 p : polygon) widest = std::max(widest, p.x);
-  const int chords = chords_for(widest, deviation / 2);
+  const int chords = chords_around(widest, deviation / 2);
   for (const TurnedPolygon& polygon : region) {
     const TurnedPolygon few = simplified(polygon, deviation / 2);
     std::vector<std::uint32_t> circles;

@@ -184,7 +184,8 @@ PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& quest
     file = tools_file_for(known, *run);
   }
   const std::vector<ProposedTool> proposed = proposed_tools(*run, file);
-  PageJson json = {{"stock", guess.text(zero, is_turning(*run) && guess.is_flat(zero), radii_of(proposed))}, {"tools", PageJson::array()}};
+  const bool turned = is_turning(*run) && guess.is_flat(zero);
+  PageJson json = {{"stock", guess.text(zero, turned, radii_of(proposed), turned_hints(*run))}, {"tools", PageJson::array()}};
   for (const ProposedTool& tool : proposed) json["tools"].push_back(proposal_json(tool));
   json["files"] = tools_files(server.folder, server.folder.shown(run->opened().path));
   return json;
