@@ -151,6 +151,12 @@ def nose_radius(kadr, folder, known):
     told = json.loads(made.out_setup().read_text(encoding='utf-8'))['offsets']['1']
     # LinuxCNC draws the tips with X pointing down: tip 3 of the Fanuc is its orientation 2
     expect(told == {'length': -60.0, 'radius': 0.8, 'length_x': -40.0, 'tip_position': 2.0}, f'the offset of LinuxCNC: {told}')
+    machine = {'machine': {'X': {'rapid': 12000, 'limits': [-220, 0]}}, 'chuck_face': -62, 'tailstock': 4}
+    setup.write_text(json.dumps({'offsets': {'1': {'X': -40, 'Z': -60, 'radius': 0.8, 'tip': 3}}, **machine}), encoding='utf-8')
+    for control in ('linuxcnc', 'haas-st', 'nct'):
+        made = pairs.convert(kadr, 'fanuc-t', file, control, folder / f'nose_{control}', setup)
+        told = json.loads(made.out_setup().read_text(encoding='utf-8')) if made.proven() else {}
+        expect(all(told.get(key) == value for key, value in machine.items()), f'machine, chuck and tailstock for {control}: {made.outcome} {told}')
     bare = pairs.convert(kadr, 'fanuc-t', file, 'linuxcnc', folder / 'nose_bare.ngc')
     expect(bare.outcome == 'refused', f'a radius that no set-up states: {bare.outcome}')
 

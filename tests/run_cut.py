@@ -20,6 +20,7 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools, unless th
     deviation the greatest number in off.ply, mm within 0.01
     refused   the start of the message; nothing is cut, the exit status is 2
     told      what stderr contains: a list of parts
+    stock     left out: the program without --stock
     resolution   mm (default 0.5); "chosen": by the program. tools = "guess", stock = "guess": these texts as the option's value
     args      further words of the command line, files in a folder of the case; setup: a set-up; machine: one of the file's [machines],
               the id of one, or the text of its file
@@ -69,10 +70,10 @@ def cut(kadr, folder, case, tools, threads, machines={}, part_is_there=False):
     (folder / 'tools.toml').write_text(case.get('tools', tools))
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
-    stock = str(write(folder / 'blank.stl', case['stock'].lstrip('\n'))) if case.get('stock_file') else case['stock']
+    stock = str(write(folder / 'blank.stl', case['stock'].lstrip('\n'))) if case.get('stock_file') else case.get('stock')
     shapes = 'guess' if case.get('tools') == 'guess' else str(folder / 'tools.toml')
     cell = [] if case.get('resolution') == 'chosen' else ['--resolution', str(case.get('resolution', 0.5))]
-    words = [kadr, 'cut', str(program), '--control', case.get('control', 'mach3'), '--stock', stock, '--tools', shapes, *cell, '--json', '-', '--lang', 'en', '--threads', str(threads),
+    words = [kadr, 'cut', str(program), '--control', case.get('control', 'mach3'), *(['--stock', stock] if stock else []), '--tools', shapes, *cell, '--json', '-', '--lang', 'en', '--threads', str(threads),
              '--blocks', str(folder / 'blocks.csv')]
     for name, text in case.get('files', {}).items():
         write(folder / name, text.lstrip('\n'))

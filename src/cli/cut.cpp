@@ -165,10 +165,9 @@ int cut(const CutOptions& given) {
   std::optional<Mesh> part;
   if (!can_write(options)) return wrong_usage;
   auto job = make_job(options.run, options.run.programs.front());
-  if (!job || !guess_blank_and_tools(options, *job, cut_job.tools)) return interrupted() ? interrupted_status() : wrong_usage;
-  const bool turned = cuts_turned(options, *job);
-  if (turned ? !find_tools_and_end(options, cut_job) : !find_cut_job(options, cut_job, part))
-    return interrupted() ? interrupted_status() : wrong_usage;
+  const auto plan =
+      job && find_tools_and_end(options, cut_job) && find_part(options, part) ? plan_cut(options, *job, part, cut_job.tools) : std::nullopt;
+  if (!plan || (!plan->turned && !find_cut_job(options, cut_job, part))) return interrupted() ? interrupted_status() : wrong_usage;
   if (!find_system(options, *job, cut_job.system)) return wrong_usage;
   Outputs outputs = outputs_of(options, *job);
   auto program = outputs.check() ? open_program(*job) : std::nullopt;
@@ -177,12 +176,12 @@ int cut(const CutOptions& given) {
   const auto session = make_session(*job, std::move(*program), options.run.limits);
   if (!session) return wrong_usage;
   take_session(*session, job->stated.count("start") != 0, cut_job);
-  const auto watch = turned ? std::optional(std::unique_ptr<MachineWatch>()) : watch_of(options, *session, cut_job);
+  const auto watch = watch_of(options, *session, cut_job);
   if (!watch || !outputs.open()) return wrong_usage;
   session->control().watch_calls();
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(drive.get(), [](Drive* left) { left->leave(); });
   if (const auto nothing = drive->begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
-  if (turned) return cut_turned({options, *job, cut_job, *session, *drive, outputs});
+  if (plan->turned) return cut_turned({options, *job, cut_job, *session, *drive, outputs, *plan, watch->get()});
   CutRun run(*session, cut_job, watch->get());
   Found found(job->texts(), language(options.run), stderr, options.run.every);
   print_to_terminal(found, outputs.stream("--blocks"), run);

@@ -1,16 +1,24 @@
-// Guesses blank and tools for kadr cut. This file is used by cli/cut and tested by tests/run_cut.py.
+// Guesses blank and tools for kadr cut, and decides how it cuts. This file is used by cli/cut and tested by tests/run_cut.py.
 
 #include "cli/cut_guess.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include "cli/cut_turned.h"
 #include "cli/job/terminal.h"
+#include "session/cutting/named_body.h"
+#include "session/cutting/offset_insert.h"
+#include "session/cutting/turning/cut_survey.h"
 #include "texts/cut_command.h"
 #include "view/proposals.h"
 #include "view/stock_guess.h"
 
 namespace kadr::cli {
 namespace {
+
+constexpr double section_tolerance = 0.05;  // mm; corners of a wanted part that is a body of revolution are this near to its section
 
 OpenedProgram opened_of(const Job& job, const RunLimits& limits) {
   OpenedProgram opened;
@@ -35,11 +43,20 @@ std::vector<ProposedTool> tools_of(const CutOptions& options, const ProgramRun& 
   return proposed_tools(run, &file);
 }
 
-bool take_stock(const StockGuess& guess, const ProgramRun& run, const std::vector<ProposedTool>& tools, std::string& stock) {
+bool is_of_lathe(const Job& job) { return job.def->behaviour.lathe != Lathe::none; }
+
+/// Finds the blank. `turns`: every tool that cuts turns or is on the axis.
+bool take_stock(const StockGuess& guess, const ProgramRun& run, const Job& job, bool turns, const std::vector<ProposedTool>& tools,
+                std::string& stock) {
   const Vec3 zero = run.path().zero();
-  stock = guess.text(zero, turns_part(run, guess), radii_of(tools));
+  const bool turned = is_of_lathe(job) || turns || turns_part(run, guess);
+  const TurnedHints hints = turned ? turned_hints(run) : TurnedHints();
+  const std::optional<StatedBlank>& stated = hints.stated;
+  stock = guess.text(zero, turned, radii_of(tools), hints);
   if (stock.empty()) complain(translated(texts::cut_command::cuts_nothing));
-  else write_message(translated(texts::cut_command::stock_guessed, stock) + "\n");
+  else if (!stated) write_message(translated(texts::cut_command::stock_guessed, stock) + "\n");
+  else if (stated->size.length) write_message(translated(texts::cut_command::stock_stated, stock, stated->line, stated->text) + "\n");
+  else write_message(translated(texts::cut_command::diameter_stated, stock, stated->line, stated->text) + "\n");
   return !stock.empty();
 }
 
@@ -61,29 +78,104 @@ bool take_tools(const std::vector<ProposedTool>& proposals, bool lathe, ToolLibr
   return unknown.empty();
 }
 
+bool states_inserts(const Job& job) {
+  const auto& offsets = job.setup.offsets;
+  return std::any_of(offsets.begin(), offsets.end(), [&](const auto& row) {
+    return states_insert(*job.def, row.second) && insert_of_offset(row.second, 1, tip_numbers(*job.def));
+  });
+}
+
+std::optional<ToolGeometry> insert_of(const Job& job, std::uint32_t row, std::uint32_t tool) {
+  const auto found = job.setup.offsets.find(int(row));
+  if (found == job.setup.offsets.end() || !states_insert(*job.def, found->second)) return std::nullopt;
+  return insert_of_offset(found->second, tool, tip_numbers(*job.def));
+}
+
+/// True if the kind of cut follows only from what the tools of the program do.
+bool needs_survey(const Job& job, const ToolLibrary& tools) {
+  const auto is_a = [](auto... kinds) { return [=](const ToolGeometry& t) { return ((t.kind == kinds) || ...); }; };
+  const auto has = [&](const auto& fits) { return std::any_of(tools.tools.begin(), tools.tools.end(), fits); };
+  if (is_of_lathe(job)) return !std::all_of(tools.tools.begin(), tools.tools.end(), is_a(ToolKind::turning));
+  return has(is_a(ToolKind::turning)) || states_inserts(job);
+}
+
+/// True if the part is cut exactly. Of a lathe, what the lattice cannot cut is left out of the exact cut.
+bool is_turned(const Job& job, const CutSurvey& survey) {
+  if (!is_of_lathe(job)) return survey.is_turned();
+  const auto& rotary = job.profile.chains.part;
+  const bool lattice_can = survey.rows().empty() && (!survey.has_rotated() || !rotary.empty());
+  return !survey.mills() || !lattice_can;
+}
+
+/// Executes the program once.
+class Trial {
+ public:
+  /// `tools` must outlive the object.
+  static std::unique_ptr<Trial> of(const CutOptions& options, const Job& job, const ToolLibrary& tools) {
+    auto run = ProgramRun::make(opened_of(job, options.run.limits), options.run.limits.stop);
+    if (run) return std::unique_ptr<Trial>(new Trial(std::move(*run), job, tools));
+    complain(run.error());
+    return nullptr;
+  }
+
+  void execute() {
+    run_->on_piece = [this](const ViewPiece& piece, std::uint32_t channel) {
+      if (channel == 0) guess_.take(piece);
+    };
+    run_->on_step = [this](const Step& step) { survey_.take(step); };
+    run_->execute();
+  }
+  const ProgramRun& run() const { return *run_; }
+  const CutSurvey& survey() const { return survey_; }
+  const StockGuess& guess() const { return guess_; }
+
+ private:
+  Trial(std::unique_ptr<ProgramRun> run, const Job& job, const ToolLibrary& tools)
+      : run_(std::move(run)),
+        survey_(
+            AxisRoles::of(run_->control().axes(), run_->control().rotary()), tools,
+            [&job](std::uint32_t row, std::uint32_t tool) { return insert_of(job, row, tool).has_value(); },
+            std::uint32_t(std::max(job.setup.tool, 0))) {}
+
+  std::unique_ptr<ProgramRun> run_;
+  CutSurvey survey_;
+  StockGuess guess_;
+};
+
+/// Adds the inserts that only the offset table tells, for the lattice.
+void add_inserts(const Job& job, const CutSurvey& survey, ToolLibrary& tools) {
+  for (const auto& [tool, row] : survey.rows())
+    if (auto insert = insert_of(job, row, tool)) tools.tools.push_back(std::move(*insert));
+}
+
 }  // namespace
 
-bool guess_blank_and_tools(CutOptions& options, const Job& job, ToolLibrary& tools) {
+std::optional<CutPlan> plan_cut(CutOptions& options, const Job& job, const std::optional<Mesh>& part, ToolLibrary& tools) {
+  if (options.stock.empty()) options.stock = guess_word;
   const bool stock = options.stock == guess_word, shapes = options.tools == guess_word;
-  if (!stock && !shapes) return true;
+  CutPlan plan;
+  if (part) plan.wanted = section_of(*part, section_tolerance);
+  const bool may_turn = can_turn(options, plan, part.has_value());
+  const bool surveys = may_turn ? shapes || needs_survey(job, tools) : states_inserts(job);
+  plan.turned = may_turn && is_of_lathe(job);
+  if (!stock && !shapes && !surveys) return plan;
   if (job.file == "-") {
+    if (!stock && !shapes) return plan;
     complain(translated(texts::cut_command::guess_from_input));
-    return false;
+    return std::nullopt;
   }
-  auto run = ProgramRun::make(opened_of(job, options.run.limits), options.run.limits.stop);
-  if (!run) {
-    complain(run.error());
-    return false;
-  }
-  StockGuess guess;
-  (*run)->on_piece = [&guess](const ViewPiece& piece, std::uint32_t channel) {
-    if (channel == 0) guess.take(piece);
-  };
-  (*run)->execute();
-  if (options.run.limits.stop.requested()) return false;
-  const std::vector<ProposedTool> proposals = tools_of(options, **run);
-  const bool has_stock = !stock || take_stock(guess, **run, proposals, options.stock);
-  return (!shapes || take_tools(proposals, job.def->behaviour.lathe != Lathe::none, tools)) && has_stock;
+  const auto trial = Trial::of(options, job, tools);
+  if (!trial) return std::nullopt;
+  trial->execute();
+  if (options.run.limits.stop.requested()) return std::nullopt;
+  const CutSurvey& survey = trial->survey();
+  const std::vector<ProposedTool> proposals = tools_of(options, trial->run());
+  const bool turns = is_of_lathe(job) || survey.is_turned();
+  if (stock && !take_stock(trial->guess(), trial->run(), job, turns, proposals, options.stock)) return std::nullopt;
+  if (shapes && !take_tools(proposals, turns || survey.turning().count > 0, tools)) return std::nullopt;
+  plan.turned = can_turn(options, plan, part.has_value()) && is_turned(job, survey);
+  if (!plan.turned) add_inserts(job, survey, tools);
+  return plan;
 }
 
 }  // namespace kadr::cli

@@ -46,29 +46,6 @@ std::shared_ptr<const Blank> named_body(const char* option, const std::string& t
   return named->body;
 }
 
-/// Reads the target part if --part names its file. If an error occurs, it is printed and the function returns false.
-bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
-  if (options.part.empty()) {
-    const char* const lonely = options.allow >= 0                  ? "--allow"
-                               : options.allow_left >= 0           ? "--allow-left"
-                               : !options.deviation.empty()        ? "--deviation"
-                               : options.run.colour == "deviation" ? "--colour deviation"
-                                                                   : nullptr;
-    if (lonely != nullptr) complain(translated(texts::cut_command::part_missing, lonely));
-    return lonely == nullptr;
-  }
-  MeshRules rules;
-  rules.memory = std::size_t(options.max_memory * bytes_per_mb);
-  auto solid = read_mesh_file(options.part, rules);
-  if (!solid) {
-    complain("--part " + solid.error());
-    return false;
-  }
-  for (const std::string& note : solid->notes) write_message(note + "\n");
-  part = std::move(solid->mesh);
-  return true;
-}
-
 /// Determines the window from --window, and the cell sizes of the window and of the whole blank. --resolution is the cell size of the
 /// window or, without a window, of the blank. If an error occurs, it is printed and the function returns false.
 bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, double most, CutJob& job) {
@@ -132,13 +109,35 @@ bool find_tools_and_end(CutOptions& options, CutJob& job) {
   }
   job.until = *until;
   job.stop = options.run.limits.stop;
+  job.wants_coolant = options.coolant;
   return find_tools(options, job);
 }
 
-bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
-  if (!find_tools_and_end(options, job) || !find_part(options, part) || !find_material(options, part, job)) return false;
+bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
+  if (options.part.empty()) {
+    const char* const lonely = options.allow >= 0                  ? "--allow"
+                               : options.allow_left >= 0           ? "--allow-left"
+                               : !options.deviation.empty()        ? "--deviation"
+                               : options.run.colour == "deviation" ? "--colour deviation"
+                                                                   : nullptr;
+    if (lonely != nullptr) complain(translated(texts::cut_command::part_missing, lonely));
+    return lonely == nullptr;
+  }
+  MeshRules rules;
+  rules.memory = std::size_t(options.max_memory * bytes_per_mb);
+  auto solid = read_mesh_file(options.part, rules);
+  if (!solid) {
+    complain("--part " + solid.error());
+    return false;
+  }
+  for (const std::string& note : solid->notes) write_message(note + "\n");
+  part = std::move(solid->mesh);
+  return true;
+}
+
+bool find_cut_job(CutOptions& options, CutJob& job, const std::optional<Mesh>& part) {
+  if (!find_material(options, part, job)) return false;
   job.threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
-  job.wants_coolant = options.coolant;
   job.keeps_rates = options.run.colour == "load";
   return true;
 }

@@ -10,12 +10,14 @@
 
 namespace kadr::cli {
 
-/// Loads everything that does not come from the program and its set-up. If an error occurs, it is printed and the function returns false.
-///   options  `run.to` receives the line that --until names
-///   part     receives the target part if --part names its file
-bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
+/// Loads blank, fixtures and target part for a cut on the lattice. If an error occurs, it is printed and the function returns false.
+bool find_cut_job(CutOptions& options, CutJob& job, const std::optional<Mesh>& part);
 
-/// Loads only the tools, and the instant or line at which the cut ends. If an error occurs, it is printed and the function returns false.
+/// Reads the target part if --part names its file. If an error occurs, it is printed and the function returns false.
+bool find_part(const CutOptions& options, std::optional<Mesh>& part);
+
+/// Loads the tools, and the instant or line at which the cut ends. If an error occurs, it is printed and the function returns false.
+///   options  `run.to` receives the line that --until names
 bool find_tools_and_end(CutOptions& options, CutJob& job);
 
 /// Finds the number of the work offset that --stock-zero names. If an error occurs, it is printed and the function returns false.

@@ -230,6 +230,7 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   made.feed_override = setup.feed_override, made.rapid_override = setup.rapid_override, made.spindle_override = setup.spindle_override;
   made.tool = setup.tool;
   if (allows_key(to, "clock")) made.clock = setup.clock;
+  if (allows_key(to, "chuck_face")) made.chuck_face = setup.chuck_face, made.tailstock = setup.tailstock;
   if (allows_key(to, "probe")) made.probe = setup.probe, made.probe_hole = setup.probe_hole;
   // Default of Grbl's $30, the greatest spindle speed in rev/min, to which a higher S is reduced (spec/grbl 8)
   constexpr double usual_speed = 1000;
@@ -254,6 +255,13 @@ void put_probe(nlohmann::ordered_json& all, const Setup& setup) {
       {"tip_radius", hole.tip_radius},
       {"hole",
        {{"center", {{"X", hole.center_x}, {"Y", hole.center_y}}}, {"diameter", hole.diameter}, {"top", hole.top}, {"depth", hole.depth}}}};
+}
+
+void put_limits(nlohmann::ordered_json& to, const AxisLimits& limits) {
+  to = nlohmann::ordered_json::object();
+  if (limits.rapid) to["rapid"] = *limits.rapid;
+  if (limits.limits) to["limits"] = {limits.limits->first, limits.limits->second};
+  if (limits.acceleration) to["acceleration"] = *limits.acceleration;
 }
 
 }  // namespace
@@ -289,6 +297,9 @@ std::string setup_text(const Setup& setup) {
     if (const double* const number = std::get_if<double>(&value)) all["parameters"][text_of(key)] = *number;
   for (const auto& [axis, on] : setup.diameter) all["diameter"][axis] = on;
   put_probe(all, setup);
+  for (const auto& [axis, limits] : setup.machine) put_limits(all["machine"][axis], limits);
+  if (setup.chuck_face) all["chuck_face"] = *setup.chuck_face;
+  if (setup.tailstock) all["tailstock"] = *setup.tailstock;
   if (setup.tool != 0) all["tool"] = setup.tool;
   if (!setup.skip.empty()) all["skip"] = setup.skip;
   if (setup.optional_stop) all["optional_stop"] = true;

@@ -28,7 +28,9 @@ constexpr std::uint16_t of_no_tool = 65535;  // tool number that a frame contain
 tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedProgram& opened, const PartRequest& request,
                                                                   const StopToken& stop) {
   std::unique_ptr<PartRun> run;
-  auto turned = request.resolution == 0 ? turned_job_of(*opened.def, opened.machine, request.stock, request.fixtures) : std::nullopt;
+  // Cut exactly: the part of a lathe, unless a cell size is stated or the machine has bodies, which only the lattice knows
+  const bool turns = request.resolution == 0 && opened.def->behaviour.lathe != Lathe::none && opened.machine.bodies.empty();
+  auto turned = turns ? turned_job_of(opened.machine, opened.setup, request.stock, request.fixtures) : std::nullopt;
   TurnedPart* const exact = turned ? new TurnedPart(opened, request, std::move(*turned), stop) : nullptr;
   LatticePart* const cells = turned ? nullptr : new LatticePart(opened, stop);
   run.reset(exact != nullptr ? static_cast<PartRun*>(exact) : cells);

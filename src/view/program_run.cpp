@@ -121,6 +121,7 @@ void ProgramRun::publish_report(const AlarmReport& report, int channel) {
 }
 
 void ProgramRun::take(const Step& step, double longer) {
+  if (on_step) on_step(step);
   mark(step, step.begins + later_);
   record_->consume(step, later_, longer);
   later_ += longer;

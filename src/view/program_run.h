@@ -40,6 +40,8 @@ class ProgramRun {
   /// A function of the client that receives each segment of the path during the run. `channel` is 0 for the program's own channel; the
   /// other channels are counted from 1, sorted by number.
   std::function<void(const ViewPiece&, std::uint32_t channel)> on_piece;
+  /// A function of the client that receives each step of the program's own channel during the run.
+  std::function<void(const Step&)> on_step;
   /// A function of the client that receives, after the run, the segments of the contour without cutter compensation, where compensation was
   /// in force.
   std::function<void(const ViewPiece&)> on_contour;

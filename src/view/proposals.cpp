@@ -171,6 +171,11 @@ std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& t
   };
 }
 
+TurnedHints turned_hints(const ProgramRun& run) {
+  const bool inch = comments_in_inches(run.control(), run.statistics().extents().units());
+  return {stated_blank(lines_of(run.control()), inch), run.opened().setup.chuck_face};
+}
+
 bool is_turning(const ProgramRun& run) {
   const AxisRoles roles = AxisRoles::of(run.control().axes(), run.control().rotary());
   if (is_lathe(run) || roles.xyz[1] < 0) return true;

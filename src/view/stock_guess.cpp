@@ -19,7 +19,6 @@ constexpr double margin_share = 0.05, least_margin = 1, max_margin = 5;
 constexpr std::size_t max_places = 1000;  // greatest number of positions that are checked one by one
 // Limit in mm: if the distance between the end of a path and a descent of the tool is less than this, both are in the same hole.
 constexpr double same_hole = 0.5;
-constexpr double turned_face = 1;  // thickness in mm of the material that is proposed on the face of the part, if turning begins at Z0
 constexpr double in_plane = 1e-3;  // tolerance in mm within which a path counts as in one plane
 
 bool at_feed(PathKind kind) {
@@ -140,7 +139,7 @@ bool StockGuess::is_flat(Vec3 zero) const {
          (least.x > -max_margin || most.x < max_margin);
 }
 
-std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of) const {
+std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of, const TurnedHints& hints) const {
   if (!all_) return {};
   const double highest = top_of(zero.z);
   const Cut cut = turned ? Cut{{{0, *all_}}, {}} : cut_below(highest);
@@ -156,8 +155,7 @@ std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of) 
   const double bottom = down(least.z - margin);
   if (turned) {
     const double radius = std::max({std::fabs(least.x), std::fabs(most.x), std::fabs(least.y), std::fabs(most.y)});
-    const double face = most.z > 0 && least.z < 0 ? turned_face : up(most.z);
-    return fmt::format("cylinder:0,0,{:g},{:g},{:g}", bottom, face, 2 * up(radius));
+    return turned_blank_text(hints, {radius, least.z, most.z}, margin);
   }
   double top = std::round((highest - zero.z) * 1000) / 1000 + 0.0;
   if (!(top > bottom)) top = bottom + 1;

@@ -27,6 +27,17 @@ TEST(OffsetInsert, TipsPointAsTheManualDrawsThem) {
   }
 }
 
+// docs/commands/cut.md, "Turning tools": the column LinuxCNC Q
+TEST(OffsetInsert, LinuxCncNumbersTheTipsInItsOwnOrder) {
+  constexpr int dx[] = {-1, -1, 1, 1, 0, -1, 0, 1}, dz[] = {1, -1, -1, 1, 1, 0, -1, 0};
+  for (int tip = 1; tip <= 8; ++tip) {
+    const auto g = insert_of_offset(row_of(0.8, 0, tip), 3, TipNumbers::linuxcnc);
+    ASSERT_TRUE(g);
+    EXPECT_EQ(g->insert.tip_x, dx[tip - 1]) << tip;
+    EXPECT_EQ(g->insert.tip_z, dz[tip - 1]) << tip;
+  }
+}
+
 TEST(OffsetInsert, TheWearOfTheNoseCounts) { EXPECT_DOUBLE_EQ(insert_of_offset(row_of(0.8, -0.1, 3), 1)->corner, 0.7); }
 
 TEST(OffsetInsert, TheCentreAsTipIsARoundInsert) {

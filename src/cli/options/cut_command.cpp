@@ -54,7 +54,7 @@ void add_cut(CLI::App& app, Commands& c) {
   CutOptions& o = c.cut;
   CLI::App* const cut = app.add_subcommand("cut", translated(texts::cut_options::cut));
   program_argument(*cut, o.run);
-  for (CLI::Option* const needed : blank_options(*cut, o)) needed->required();
+  blank_options(*cut, o)[1]->required();  // without --stock the blank is guessed
   part_options(*cut, o);
   cell_option(*cut, o);
   window_options(*cut, o);

@@ -24,6 +24,7 @@ using toml_tools::place;
 
 constexpr std::string_view folder = "machines/";
 constexpr std::string_view ending = ".toml";
+constexpr NumberRange centre_angle = {10, 150, texts::ranges::degrees};  // of the point of a lathe's centre
 
 Done known_keys(const std::string& file, const toml::table& table, std::initializer_list<std::string_view> known) {
   for (const auto& [key, node] : table)
@@ -171,11 +172,42 @@ Done m_codes_of(const std::string& file, const toml::table& table, MachineProfil
   return {};
 }
 
+using Numbers = std::initializer_list<std::tuple<const char*, const NumberRange&, double&>>;
+
+/// Reads a table of numbers, if the file has it. Those that are 0 before must be stated.
+Done work_holding_of(const std::string& file, const toml::table& table, const char* key, std::initializer_list<std::string_view> known,
+                     Numbers numbers) {
+  const toml::node* const node = table.get(key);
+  if (node == nullptr) return {};
+  const toml::table* const row = node->as_table();
+  if (row == nullptr) return Failed(place(file, *node) + translated(texts::machine_file::table_form, key));
+  if (auto done = known_keys(file, *row, known); !done) return done;
+  for (const auto& [name, range, to] : numbers) {
+    if (auto done = toml_tools::number(file, *row, name, range, to); !done) return done;
+    if (!(to > 0)) return Failed(place(file, *node) + translated(texts::machine_file::number_missing, key, name));
+  }
+  return {};
+}
+
+Done work_holding_of(const std::string& file, const toml::table& table, MachineProfile& profile) {
+  ChuckProfile& chuck = profile.chuck;
+  TailstockProfile& tail = profile.tailstock;
+  if (auto done = work_holding_of(file, table, "chuck", {"diameter", "length"},
+                                  {{"diameter", ranges::distance, chuck.diameter}, {"length", ranges::distance, chuck.length}});
+      !done)
+    return done;
+  return work_holding_of(file, table, "tailstock", {"angle", "centre", "diameter", "length"},
+                         {{"angle", centre_angle, tail.angle},
+                          {"centre", ranges::distance, tail.centre},
+                          {"diameter", ranges::distance, tail.diameter},
+                          {"length", ranges::distance, tail.length}});
+}
+
 tl::expected<MachineProfile, std::string> profile_of(const std::string& file, const toml::table& table) {
   MachineProfile profile;
-  if (auto done = known_keys(
-          file, table,
-          {"id", "name", "tool_change", "spindle_start", "spindle_speed", "tolerance", "planner", "axes", "kinematics", "bodies", "m"});
+  if (auto done = known_keys(file, table,
+                             {"id", "name", "tool_change", "spindle_start", "spindle_speed", "tolerance", "planner", "axes", "kinematics",
+                              "bodies", "chuck", "tailstock", "m"});
       !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
@@ -205,6 +237,7 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
   if (auto done = kinematics_of(file, table, profile); !done) return Failed(done.error());
   if (auto done = bodies_of(file, table, profile); !done) return Failed(done.error());
   if (auto done = m_codes_of(file, table, profile); !done) return Failed(done.error());
+  if (auto done = work_holding_of(file, table, profile); !done) return Failed(done.error());
   return profile;
 }
 

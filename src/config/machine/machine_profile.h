@@ -47,6 +47,20 @@ struct AxisChains {
 /// planner (docs/planner.md).
 enum class PlannerMode : std::uint8_t { programmed, control, optimal };
 
+/// The chuck of a lathe ([chuck]). Its face is at `chuck_face` of the set-up. Lengths in mm; diameter 0: the file does not describe it.
+struct ChuckProfile {
+  double diameter = 0;
+  double length = 0;  // from its face to the spindle, with the jaws
+};
+
+/// The tailstock of a lathe ([tailstock]): a centre, whose tip is at `tailstock` of the set-up, in a quill. Lengths in mm.
+struct TailstockProfile {
+  double angle = 60;    // full angle of the centre's point, degrees
+  double centre = 0;    // diameter of the centre, where its cone ends; 0: the file does not describe the tailstock
+  double diameter = 0;  // of the quill, which begins where the cone ends
+  double length = 0;    // of the quill
+};
+
 struct MachineProfile {
   std::string id = "generic";
   std::string name_en, name_ru;
@@ -54,6 +68,8 @@ struct MachineProfile {
   AxisChains chains;
   std::vector<MachineBody> bodies;
   std::map<std::uint32_t, Text> m_codes;  // what the machine's M codes do, by number: M68 "chuck clamp"
+  ChuckProfile chuck;
+  TailstockProfile tailstock;
   double tool_change_s = 10;
   double spindle_start_s = 0;
   double most_rpm = 0;      // highest spindle speed, rev/min; 0: the file does not state it

@@ -212,6 +212,7 @@ struct Setup {
   std::map<int, std::optional<AxisValues>> probe;
   std::optional<ProbeHole> probe_hole;
   std::optional<double> chuck_face;  // Z of the chuck's face, work coordinates, mm
+  std::optional<double> tailstock;   // Z of the tip of the tailstock's centre, work coordinates, mm
   std::vector<double> points;
   std::vector<std::string> watch;
   std::map<std::string, AxisValues> shifts;  // shifts by code, "G92", "G52"; only if the set-up is a printed state

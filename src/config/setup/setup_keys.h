@@ -71,6 +71,7 @@ enum class SetupNeeds : std::uint8_t {
   ini,  // the control reads an ini file with its settings (spec/linuxcnc 10.1)
   probe,
   diameters,      // the control allows axes that are programmed as diameters
+  turning,        // the control may be that of a lathe
   skip_question,  // the control may ask the operator before it skips a block
   machine_axes,   // the control's axes, channels, spindles and machine logic depend on the machine
 };

@@ -124,6 +124,10 @@ void overrides(const Json& value, const std::string& key, Setup& s) {
               {"spindle", to_range(s.spindle_override, ranges::percent)}});
 }
 
+Reader to_position(std::optional<double>& to) {
+  return [&to](const Json& v, const std::string& k) { to = v.is_null() ? std::nullopt : std::optional(within(v, k, ranges::position)); };
+}
+
 }  // namespace
 
 Readers readers_of_machine(Setup& s) {
@@ -149,10 +153,8 @@ Readers readers_of_machine(Setup& s) {
          numbered(v, k, s.probe, signal_position, {1, max_inputs});
        }},
       {"kinematics", or_null([&](const Json& v, const std::string& k) { kinematics(v, k, s.kinematics); })},
-      {"chuck_face",
-       [&](const Json& v, const std::string& k) {
-         s.chuck_face = v.is_null() ? std::nullopt : std::optional(within(v, k, ranges::position));
-       }},
+      {"chuck_face", to_position(s.chuck_face)},
+      {"tailstock", to_position(s.tailstock)},
       {"probe_workpiece", or_null([&](const Json& v, const std::string& k) { probe_workpiece(v, k, s); })},
   };
 }

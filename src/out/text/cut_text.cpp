@@ -114,6 +114,7 @@ Alarm alarm_of(const CutFinding& f) {
 
 std::string cut_caption(const CutResult& r, Lang lang) {
   const double removed = r.window ? r.window->stock - r.window->left : r.stock - r.left, cell = r.window ? r.window->cell : r.cell;
+  if (r.turned) return translated_in(lang, texts::cut_summary::removed_of_body, removed);
   return translated_in(lang, texts::cut_summary::removed_with_cell, removed, cell);
 }
 

@@ -12,8 +12,13 @@ namespace {
 // Memory, bytes, that the collision library FCL needs for a triangle of a mesh and for the bounding volumes around the triangle.
 constexpr double bytes_per_triangle = 1000;
 
-/// Converts a blank or fixture for the collision check to a box, cylinder or mesh.
-WorkBody work_body(const NamedWork& work) { return {work.name, shape_of_words(work.text).value_or(BodyShape{}), work.body->mesh()}; }
+/// Converts a blank or fixture for the collision check to a box, cylinder or mesh. A tube of an exact cut, which has no Blank, is a full
+/// cylinder.
+WorkBody work_body(const NamedWork& work) {
+  if (work.body != nullptr) return {work.name, shape_of_words(work.text).value_or(BodyShape{}), work.body->mesh()};
+  const bool is_tube = !shape_of_words(work.text);
+  return {work.name, shape_of_words(is_tube ? work.text.substr(0, work.text.rfind(',')) : work.text).value_or(BodyShape{}), nullptr};
+}
 
 /// Reads the mesh files of the machine's bodies. The memory for the collision check of all meshes is limited.
 class BodyFiles {
@@ -47,7 +52,7 @@ std::vector<NamedWork> work_of(const CutJob& cut, const std::string& stock, cons
                                const std::vector<std::string>& shown) {
   std::vector<NamedWork> work{{translated(texts::cutting::blank), stock, cut.blank}};
   for (std::size_t i = 0; i < fixtures.size(); ++i)
-    work.push_back({translated(texts::cutting::fixture, shown[i]), fixtures[i], cut.fixtures[i]});
+    work.push_back({translated(texts::cutting::fixture, shown[i]), fixtures[i], i < cut.fixtures.size() ? cut.fixtures[i] : nullptr});
   return work;
 }
 

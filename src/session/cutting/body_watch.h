@@ -14,8 +14,8 @@ namespace kadr {
 /// A blank or fixture, with the text by which the user has described it.
 struct NamedWork {
   std::string name;
-  std::string text;  // description of the solid, in the form that body_of() reads
-  std::shared_ptr<const Blank> body;
+  std::string text;                   // description of the solid, in the form that body_of() reads
+  std::shared_ptr<const Blank> body;  // nullptr: the work is cut exactly, as a body of revolution
 };
 
 /// Returns the blank of the job, followed by its fixtures.

@@ -37,15 +37,15 @@ Mat3 turn_of_tool(Vec3 direction) {
   return direction.z < 0 ? Mat3::about({1, 0, 0}, 180) : Mat3{};
 }
 
+std::string no_memory() { return translated(texts::cutting::no_memory); }
+
+}  // namespace
+
 std::string tool_in_words(ToolPart part, std::uint32_t tool) {
   if (part == ToolPart::holder) return translated(texts::cutting::holder, tool);
   if (part == ToolPart::shank) return translated(texts::cutting::shank, tool);
   return translated(texts::cutting::tool, tool);
 }
-
-std::string no_memory() { return translated(texts::cutting::no_memory); }
-
-}  // namespace
 
 MachineWatch::MachineWatch(const MachineTree& tree, BodyWorld world, const MachineProfile& machine, const AxisRoles& roles,
                            const CutJob& job)

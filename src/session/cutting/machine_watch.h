@@ -27,6 +27,9 @@ struct WorkBody {
   const Mesh* mesh = nullptr;  // mesh of the body; nullptr: `shape` describes the body
 };
 
+/// Returns the name of a part of a tool for a finding: "holder of T1".
+std::string tool_in_words(ToolPart part, std::uint32_t tool);
+
 class MachineWatch {
  public:
   /// A function of the caller that reads the mesh file of a machine's body. It returns the mesh, or an error sentence.

@@ -11,13 +11,15 @@
 #include "config/nearest.h"
 #include "stock/blank/mesh_blank.h"
 #include "stock/mesh/mesh_file.h"
+#include "stock/turned/turned_mesh.h"
 #include "texts/cutting.h"
 
 namespace kadr {
 namespace {
 
 using Failed = tl::unexpected<std::string>;
-constexpr double farthest = 1e5;  // greatest permitted coordinate of a solid, mm
+constexpr double farthest = 1e5;         // greatest permitted coordinate of a solid, mm
+constexpr double tube_deviation = 1e-3;  // greatest deviation of the mesh of a tube, mm
 
 /// Reads numbers that are separated by commas. Returns nullopt if the text contains anything else.
 std::optional<std::vector<double>> numbers_of(std::string_view text) {
@@ -84,6 +86,7 @@ tl::expected<NamedBody, std::string> body_of(const std::string& text, double max
     if (shape->form == BodyShape::Form::box) return NamedBody{box_blank({shape->least, shape->most}), {}};
     return NamedBody{cylinder_blank(shape->centre, shape->bottom, shape->top, shape->diameter), {}};
   }
+  if (const auto tube = turned_region_of(text)) return NamedBody{mesh_blank(turned_mesh(*tube, tube_deviation)), {}};
   if (text.starts_with("box:")) return Failed(translated(texts::cutting::want_box, text));
   if (text.starts_with("cylinder:")) return Failed(translated(texts::cutting::want_cylinder, text));
   return Failed(translated(texts::cutting::want_body, text));

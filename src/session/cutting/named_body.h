@@ -19,8 +19,8 @@ struct NamedBody {
   std::vector<std::string> notes;  // sentences about repairs of the mesh that the file describes
 };
 
-/// Reads the description of a solid: a box (box:X0,Y0,Z0,X1,Y1,Z1), a cylinder (cylinder:X,Y,Z0,Z1,D) or the name of a mesh file (which
-/// ends in .stl or .3mf). All lengths are in mm.
+/// Reads the description of a solid: a box (box:X0,Y0,Z0,X1,Y1,Z1), a cylinder (cylinder:X,Y,Z0,Z1,D), a tube
+/// about X0 Y0 (cylinder:0,0,Z0,Z1,D,BORE) or the name of a mesh file (which ends in .stl or .3mf). All lengths are in mm.
 ///   max_bytes  memory limit for reading a file
 ///   returns    an error sentence if the text or the file is not valid
 tl::expected<NamedBody, std::string> body_of(const std::string& text, double max_bytes, const FileAccess* door = nullptr);

@@ -86,7 +86,12 @@ Pose ToolPath::pose_of(const Step& step, const Axes& work, double part) const {
     pose.tip = pose.tip + space->zero();
     return pose;
   }
-  if (tree_ != nullptr) return tree_->forward(machine_along(step.roles, step.from, *step.motion(), work, part), length_in_force());
+  if (tree_ != nullptr) {
+    Axes axes = machine_along(step.roles, step.from, *step.motion(), work, part);
+    for (const int across : {step.roles.xyz[0], step.roles.xyz[1]})  // a turning tool also has lengths across the direction of the tool
+      if (across >= 0) axes[std::size_t(across)] -= placement_.length[std::size_t(across)];
+    return tree_->forward(axes, length_in_force());
+  }
   if (!placement_.is_plain() && space != nullptr) return {chain_.tip(space, work) + work_origin_of(chain_, placement_), {0, 0, 1}};
   Axes tip = placement_.machine_of(work);
   for (std::size_t i = 0; i < max_axes; ++i) tip[i] -= placement_.length[i];

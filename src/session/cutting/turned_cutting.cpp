@@ -5,41 +5,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "action/by_kind.h"
 #include "config/tools/tool_library.h"
-#include "session/cutting/offset_insert.h"
+#include "session/cutting/machine_watch.h"
+#include "stock/turned/edge_distance.h"
 
 namespace kadr {
 namespace {
 
-constexpr double path_chord = 2e-4;           // greatest deviation of chords from an arc of the path, mm: below the increment of controls
-constexpr double nose_chord = 1e-3;           // the same for the nose, mm; it only shows where a path ends: walls are exact
-constexpr double least_depth = 0.01;          // mm; contact that is shallower is not a finding
+constexpr double path_chord = 2e-4;   // greatest deviation of chords from an arc of the path, mm: below the increment of controls
+constexpr double nose_chord = 1e-3;   // the same for the nose, mm; it only shows where a path ends: walls are exact
+constexpr double least_depth = 0.01;  // mm; contact that is shallower is not a finding
+// mm; rings that are thinner are rounding to whole nanometres. Their box may be large nevertheless, since they lie along the way.
+constexpr double least_ring = 1e-5;
+constexpr double at_edge = 2e-3;              // mm; a point this near to the edge of a sweep is on it
 constexpr double least_removal = 1e-7;        // mm³; what removes less is not noted in the past of the part
 constexpr double on_axis = 1e-6;              // mm; a drill this near to the axis is on it
 constexpr double load_reach = 0.05;           // mm; means of loads are taken over at least twice this length of path
 constexpr std::size_t most_stored = 100'000;  // greatest number of motions stored until the work coordinates of the blank are known
 constexpr std::size_t most_listed = 1000;     // greatest number of findings that are listed; further findings are only counted
 
+/// Returns the mean thickness of the rings, mm: their volume divided by the way around the axis and by their extent in the half plane.
+double mean_thickness(const TurnedTouch& touch) {
+  const Vec2 middle = 0.5 * (touch.least + touch.most);
+  const double around = 2 * std::numbers::pi * std::max(middle.x, least_depth),
+               extent = std::max(length(touch.most - touch.least), least_ring);
+  return touch.volume / (around * extent);
+}
+
 }  // namespace
 
 TurnedCutting::TurnedCutting(const CutJob& job, TurnedJob turned, const AxisRoles& roles)
     : job_(job),
       offset_now_(std::move(turned.offset_now)),
+      tips_(turned.tips),
       path_(roles, path_chord, job.apart),
       stock_(std::move(turned.blank)),
       tool_(job.tool),
       spindles_(job.spindle),
       reversed_(job.spindle == SpindleDir::ccw),
       loads_(load_reach),
-      air_(load_reach) {
+      air_(load_reach),
+      keeps_areas_(turned.keeps_areas),
+      keeps_stages_(turned.keeps_stages) {
   for (TurnedRegion& fixture : turned.fixtures) fixtures_.emplace_back(std::move(fixture));
+  for (HeldBody& held : turned.holding) holding_.push_back({held.name, TurnedStock(std::move(held.region))});
   loads_.on_block = [this](const BlockLoad& load) {
     if (on_block) on_block(load);
   };
-  for (const int axis : {roles.xyz[0], roles.xyz[2]})
-    if (axis >= 0 && !job.starts_known) unknown_ |= AxisMask{1} << axis;
+  for (const int axis : {roles.xyz[0], roles.xyz[1]})
+    if (axis >= 0) across_ |= AxisMask{1} << axis;
+  if (roles.xyz[2] >= 0) along_ = AxisMask{1} << roles.xyz[2];
+  if (!job.starts_known) unknown_ = across_ | along_;
   result_.stock = stock_.blank_volume();
   result_.cell = path_chord;
   result_.turned.emplace();
@@ -53,10 +72,10 @@ void TurnedCutting::note(const Action& action) {
         spindles_.take(spindle);
         if (spindle.dir == SpindleDir::cw || spindle.dir == SpindleDir::ccw) reversed_ = spindle.dir == SpindleDir::ccw;
       },
-      [&](const Speed& speed) { spindles_.take(speed); }, [&](const ToolChange& change) { tool_ = change.tool, tool_known_ = false; },
-      [&](const FrameChange&) { tool_known_ = false; },
-      ignores<Motion, Dwell, ToolSelect, CoolantSwitch, MachineFunction, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange,
-              Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
+      [&](const CoolantSwitch& change) { coolant_ = change.what; }, [&](const Speed& speed) { spindles_.take(speed); },
+      [&](const ToolChange& change) { tool_ = change.tool, tool_known_ = false; }, [&](const FrameChange&) { tool_known_ = false; },
+      ignores<Motion, Dwell, ToolSelect, MachineFunction, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange, Couple,
+              Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
 const TurnedCutting::Tool* TurnedCutting::add_tool(const ToolGeometry& geometry) {
@@ -80,7 +99,7 @@ const TurnedCutting::Tool* TurnedCutting::tool_for(const Motion& motion) {
   const ToolGeometry* geometry = job_.tools.find(tool_);
   if (geometry == nullptr && tool_ == 0 && job_.tools.tools.size() == 1) geometry = &job_.tools.tools.front();
   if (geometry != nullptr) return tool_now_ = add_tool(*geometry);
-  const auto insert = insert_of_offset(offset_now_(row), tool_);
+  const auto insert = insert_of_offset(offset_now_(row), tool_, tips_);
   return tool_now_ = insert && tool_fault_message(*insert).empty() ? add_tool(*insert) : nullptr;
 }
 
@@ -91,9 +110,12 @@ AlarmId TurnedCutting::fault_of(const Motion& motion) const {
   return spindles_.any() ? no_alarm : AlarmId::spindle_stopped;
 }
 
+/// True if Z is known, and X or Y: a program names only the one in which it turns.
+bool TurnedCutting::is_place_known() const { return (unknown_ & along_) == 0 && (unknown_ & across_) != across_; }
+
 /// True if the start position of the motion is known. After the call, the position along the axes that the motion names is known.
 bool TurnedCutting::place_known(const Motion& motion) {
-  const bool known = unknown_ == 0;
+  const bool known = is_place_known();
   unknown_ &= ~motion.named;
   return known;
 }
@@ -137,7 +159,7 @@ Status TurnedCutting::consume(const Step& step, const MachineTime& time) {
   find_zero(motion, path->origin);
   if (motion.kind == MotionKind::probe || time.begins >= job_.until) return {};
   if (!known && !cuts) {  // the start of this rapid is unknown, so only its end is used, if it is known
-    if (unknown_ != 0 || path->corners.empty()) return {};
+    if (!is_place_known() || path->corners.empty()) return {};
     path->corners.assign(2, path->corners.back());
     path->parts = {0, 1};
   }
@@ -149,9 +171,12 @@ Status TurnedCutting::consume(const Step& step, const MachineTime& time) {
     return {};
   }
   if (tool == nullptr) return cuts ? Status(fail(alarm(AlarmId::turning_tool_without_shape, {}, double(tool_)))) : Status();
-  Moved moved{std::move(*path), step.action.origin, tool, use_of(tool_), fault_of(motion), cuts, false, false, 0,
-              time.begins,      time.seconds,       0,    reversed_};
+  Moved moved;
+  moved.path = std::move(*path), moved.origin = step.action.origin, moved.tool = tool, moved.use = use_of(tool_);
+  moved.fault = fault_of(motion), moved.cuts = cuts, moved.begins = time.begins, moved.seconds = time.seconds;
+  moved.reversed = reversed_;
   moved.threads = motion.kind == MotionKind::thread && tool->shape.turns();
+  moved.lacks_coolant = cuts && job_.wants_coolant && coolant_ == Coolant::off;
   moved.in_groove = moved.threads || (was_in_thread && motion.kind == MotionKind::rapid);
   if (moved.threads && motion.detail)
     moved.lead = motion.detail->lead.value_or(0), moved.start_angle = motion.detail->start_angle.value_or(0);
@@ -177,9 +202,9 @@ void TurnedCutting::release_waiting() {
 
 /// Removes what the tool sweeps between two corners. Returns the removed volume, mm³; `found` receives what must be reported.
 double TurnedCutting::sweep(const Moved& moved, const Segment& segment, Findings& found) {
-  const auto add = [&](AlarmId id, const TurnedTouch& touch) {
-    if (!(touch.volume > 0)) return;
-    const auto [entry, is_new] = found.try_emplace(id, Met{touch.least, touch.most, 0});
+  const auto add = [&](const Contact& contact, const TurnedTouch& touch) {
+    if (!(mean_thickness(touch) > least_ring)) return;
+    const auto [entry, is_new] = found.try_emplace(contact, Met{touch.least, touch.most, 0});
     Met& met = entry->second;
     met.volume += touch.volume;
     if (is_new) return;
@@ -189,14 +214,16 @@ double TurnedCutting::sweep(const Moved& moved, const Segment& segment, Findings
   double removed = 0;
   for (const InsertSweep& body : moved.tool->sweeps) {
     const TurnedPolygon area = body.swept(segment.from, segment.to);
-    for (const TurnedStock& fixture : fixtures_) add(AlarmId::fixture, fixture.touch(area));
+    for (const TurnedStock& fixture : fixtures_) add({AlarmId::fixture}, fixture.touch(area));
+    for (std::size_t i = 0; i < holding_.size(); ++i) add({AlarmId::machine, i, body.part()}, holding_[i].body.touch(area));
     if (moved.in_groove && body.part() != ToolPart::holder) continue;
     const AlarmId fault = body.part() == ToolPart::cutting ? moved.fault : fault_of_part(body.part());
     const TurnedTouch touch = stock_.remove(area, fault != no_alarm);
     removed += touch.volume;
     if (on_removal && touch.volume > least_removal)
       on_removal({&body, segment.from, segment.to, segment.begins, segment.seconds, moved.origin, result_.tools[moved.use].tool});
-    if (fault != no_alarm) add(fault, touch);
+    if (keeps_areas_ && touch.volume > 0) areas_.emplace_back(moved.origin, area);
+    if (fault != no_alarm) add({fault}, touch);
   }
   ++sweeps_;
   return removed;
@@ -207,6 +234,8 @@ void TurnedCutting::cut(const Moved& moved) {
   const auto place = [&](std::size_t i) { return moved.path.corners[i] + Vec2{0, shift}; };
   const std::size_t last = moved.path.corners.size() - 1;
   Findings found;
+  const auto maker = std::int32_t(moved.use);
+  if (keeps_stages_ && (stages_.empty() || stages_.back().maker != maker)) stages_.push_back({maker, stock_.region()});
   double volume = 0, way = 0;
   for (std::size_t i = 0; i < last; ++i) {
     const double begins = moved.begins + moved.path.parts[i] * moved.seconds;
@@ -220,12 +249,16 @@ void TurnedCutting::cut(const Moved& moved) {
     if (on_thread) note_thread(moved, place(0), place(last));
   }
   count(moved, volume, way);
+  if (moved.lacks_coolant && volume > 0) keep_warning(moved, place(last));
   const double side = std::copysign(1.0, place(last).x);
-  for (const auto& [id, met] : found) {
+  for (const auto& [contact, met] : found) {
     const double depth = TurnedTouch{0, met.least, met.most}.depth();
     const Vec2 middle = 0.5 * (met.least + met.most);
-    if (depth >= least_depth)
-      keep({id, moved.origin, {}, {}, result_.tools[moved.use].tool, {side * middle.x, 0, middle.y}, depth, met.volume, moved.begins});
+    if (!(depth >= least_depth)) continue;
+    const std::uint32_t tool = result_.tools[moved.use].tool;
+    CutFinding finding{contact.id, moved.origin, {}, {}, tool, {side * middle.x, 0, middle.y}, depth, met.volume, moved.begins};
+    if (contact.id == AlarmId::machine) finding.bodies = {tool_in_words(contact.part, tool), holding_[contact.body].name};
+    keep(finding);
   }
 }
 
@@ -265,6 +298,29 @@ void TurnedCutting::count(const Moved& moved, double volume, double way) {
   if (rate_.length < 2 * load_reach || !(rate_.seconds > 0)) return;
   tool.greatest_rate = std::max(tool.greatest_rate, rate_.volume / rate_.seconds);
   rate_ = {0, 0, 0, moved.use};
+}
+
+/// Reports that a motion cuts without coolant, once for each line.
+void TurnedCutting::keep_warning(const Moved& moved, Vec2 at) {
+  const auto& off = job_.disabled;
+  if (std::find(off.begin(), off.end(), AlarmId::no_coolant) != off.end() || !without_coolant_.insert(moved.origin.line).second) return;
+  const CutFinding finding{AlarmId::no_coolant, moved.origin, {}, {}, result_.tools[moved.use].tool, {at.x, 0, at.y}, 0, 0, moved.begins};
+  if (result_.warnings.size() >= most_listed) {
+    ++result_.not_listed;
+    return;
+  }
+  result_.warnings.push_back(finding);
+  if (on_finding) on_finding(finding);
+}
+
+std::optional<Origin> TurnedCutting::last_at(Vec2 at) const {
+  const Vec2 mirrored{-at.x, at.y};
+  for (auto area = areas_.rbegin(); area != areas_.rend(); ++area)
+    for (std::size_t i = 0; i < area->second.size(); ++i) {
+      const Vec2 a = area->second[i], b = area->second[(i + 1) % area->second.size()];
+      if (std::min(distance_to_edge(at, a, b), distance_to_edge(mirrored, a, b)) < at_edge) return area->first;
+    }
+  return std::nullopt;
 }
 
 void TurnedCutting::keep(const CutFinding& finding) {

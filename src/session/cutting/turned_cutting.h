@@ -1,5 +1,5 @@
 #pragma once
-// TurnedCutting: cuts a spinning part on a lathe's control, exactly. It computes what each tool removes, and collisions. It is used by
+// TurnedCutting: cuts a spinning part exactly. It computes what each tool removes, and collisions. It is used by
 // session/cutting/turned_run.
 //
 //   Step ─ LathePath ─▶ corners in the half plane ─ InsertSweep ─▶ swept areas ─▶ TurnedStock ─▶ findings, volumes
@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "config/setup/setup.h"
@@ -18,9 +19,12 @@
 #include "session/cutting/block_load.h"
 #include "session/cutting/cutting.h"
 #include "session/cutting/lathe_path.h"
+#include "session/cutting/offset_insert.h"
 #include "session/cutting/spindles.h"
 #include "session/cutting/thread_cuts.h"
 #include "session/cutting/turned_past.h"
+#include "session/cutting/turning/work_holding.h"
+#include "stock/turned/turned_picture.h"
 #include "stock/turned/turned_stock.h"
 
 namespace kadr {
@@ -28,9 +32,13 @@ namespace kadr {
 /// Additional input for a lathe; the rest is in a CutJob, of which blank, fixtures, window and cells are not used.
 struct TurnedJob {
   TurnedRegion blank;
-  std::vector<TurnedRegion> fixtures;  // chuck, tailstock: bodies of revolution that must never be cut
+  std::vector<TurnedRegion> fixtures;  // bodies of revolution that must never be cut
+  std::vector<HeldBody> holding;       // chuck and tailstock of the machine, which findings name
   /// Returns the row of the control's offset table as it is now.
   std::function<ToolOffset(std::uint32_t row)> offset_now;
+  TipNumbers tips = TipNumbers::fanuc;  // how this table numbers the tips of turning tools
+  bool keeps_areas = false;             // true: the areas of all sweeps are kept, for TurnedCutting::last_at()
+  bool keeps_stages = false;            // true: the part before the work of each tool is kept, for TurnedCutting::stages()
 };
 
 class TurnedCutting {
@@ -48,6 +56,8 @@ class TurnedCutting {
   /// Processes a step. Returns the alarm turning_tool_without_shape if neither the tools file nor the offset table tells the form of the
   /// tool.
   Status consume(const Step& step, const MachineTime& time);
+  /// Adds a finding of another check, of the machine's bodies.
+  void also(const CutFinding& finding) { keep(finding); }
   /// Declares that no step follows.
   void finish();
   /// Returns the results; to be called after finish().
@@ -55,6 +65,10 @@ class TurnedCutting {
   const TurnedStock& stock() const { return stock_; }
   /// Returns the machine position of Z0 of the blank's work coordinates, mm; nullopt as long as it is unknown.
   std::optional<double> zero() const { return zero_; }
+  /// Returns the part before the work of each tool, in the order of the work. `maker` is the index of the tool in CutResult::tools.
+  const std::vector<TurnedStage>& stages() const { return stages_; }
+  /// Returns the block of the last sweep whose edge passes this point of the part's surface (radius, Z); nullopt if there is none.
+  std::optional<Origin> last_at(Vec2 at) const;
 
   /// A tool as it cuts with one row of the offset table.
   struct Tool {
@@ -71,7 +85,7 @@ class TurnedCutting {
     const Tool* tool = nullptr;
     std::size_t use = 0;
     AlarmId fault = no_alarm;  // the alarm to report if the cutting edges remove material
-    bool cuts = false, in_groove = false, threads = false;
+    bool cuts = false, in_groove = false, threads = false, lacks_coolant = false;
     double lead = 0, begins = 0, seconds = 0;
     double start_angle = 0;  // angle of the spindle at the start of a thread, degrees
     bool reversed = false;   // the spindle turns counter-clockwise
@@ -85,9 +99,17 @@ class TurnedCutting {
     Vec2 least, most;
     double volume = 0;
   };
-  using Findings = std::map<AlarmId, Met>;
+  /// What a motion meets: the alarm, and of a contact with chuck or tailstock its number and the part of the tool.
+  struct Contact {
+    AlarmId id = AlarmId::fixture;
+    std::size_t body = 0;
+    ToolPart part = ToolPart::cutting;
+    auto operator<=>(const Contact&) const = default;
+  };
+  using Findings = std::map<Contact, Met>;
 
   void note(const Action& action);
+  bool is_place_known() const;
   bool place_known(const Motion& motion);
   const Tool* tool_for(const Motion& motion);
   const Tool* add_tool(const ToolGeometry& geometry);
@@ -103,18 +125,28 @@ class TurnedCutting {
   void note_thread(const Moved& moved, Vec2 from, Vec2 to);
   void count(const Moved& moved, double volume, double way);
   void keep(const CutFinding& finding);
+  void keep_warning(const Moved& moved, Vec2 at);
 
   CutJob job_;
   std::function<ToolOffset(std::uint32_t)> offset_now_;
+  TipNumbers tips_;
   LathePath path_;
   TurnedStock stock_;
   std::vector<TurnedStock> fixtures_;
+  struct Holding {
+    std::string name;
+    TurnedStock body;
+  };
+  std::vector<Holding> holding_;
   std::vector<std::unique_ptr<Tool>> tools_;
   const Tool* tool_now_ = nullptr;
   std::uint32_t tool_, row_ = 0;
   bool tool_known_ = false;  // true: tool_now_ is the tool in force, with the row in force
   RunningSpindles spindles_;
-  AxisMask unknown_ = 0;  // which of the axes X and Z have an unknown position
+  Coolant coolant_ = Coolant::off;
+  std::set<std::uint32_t> without_coolant_;  // lines at which cutting without coolant has been reported
+  AxisMask unknown_ = 0;                     // which of the axes X, Y, Z have an unknown position
+  AxisMask across_ = 0, along_ = 0;          // masks of the axes X and Y, of the axis Z
   bool in_thread_ = false;
   bool reversed_ = false;                    // the spindle that was started last turns counter-clockwise
   std::optional<ThreadGroove> last_groove_;  // the last pass of a thread; a pass that continues it has the same helix
@@ -128,6 +160,9 @@ class TurnedCutting {
     std::size_t use = 0;
   } rate_;
   std::size_t sweeps_ = 0;
+  bool keeps_areas_, keeps_stages_;
+  std::vector<std::pair<Origin, TurnedPolygon>> areas_;
+  std::vector<TurnedStage> stages_;
   CutResult result_;
 };
 

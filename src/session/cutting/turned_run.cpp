@@ -1,4 +1,4 @@
-// Runs a lathe's program that cuts a blank. Used by cli/cut_turned and view/turned_part; tested by tests/run_cut.py.
+// Runs a program that turns a blank. Used by cli/cut_turned and view/turned_part; tested by tests/run_cut.py.
 
 #include "session/cutting/turned_run.h"
 
@@ -15,16 +15,16 @@ TimeEstimate lathe_clock(const Session& session) {
   return TimeEstimate(lathe_roles(*own.control), rates_of(session.machine(), own.setup, own.control->axes()));
 }
 
-TurnedJob with_offsets(TurnedJob job, std::function<ToolOffset(std::uint32_t)> offset_now) {
+TurnedJob with_table(TurnedJob job, const Session& session, std::function<ToolOffset(std::uint32_t)> offset_now) {
   job.offset_now = std::move(offset_now);
+  job.tips = tip_numbers(session.def());
   return job;
 }
 
 }  // namespace
 
-std::optional<TurnedJob> turned_job_of(const ControlDef& def, const MachineProfile& machine, const std::string& stock,
+std::optional<TurnedJob> turned_job_of(const MachineProfile& machine, const Setup& setup, const std::string& stock,
                                        const std::vector<std::string>& fixtures) {
-  if (def.behaviour.lathe == Lathe::none || !machine.bodies.empty()) return std::nullopt;
   const auto blank = turned_region_of(stock);
   if (!blank) return std::nullopt;
   TurnedJob job;
@@ -34,15 +34,21 @@ std::optional<TurnedJob> turned_job_of(const ControlDef& def, const MachineProfi
     if (!fixture) return std::nullopt;
     job.fixtures.push_back(std::move(*fixture));
   }
+  job.holding = work_holding(machine, setup, job.blank);
   return job;
 }
 
-TurnedRun::TurnedRun(Session& session, const CutJob& cut, TurnedJob turned)
+TurnedRun::TurnedRun(Session& session, const CutJob& cut, TurnedJob turned, MachineWatch* watch)
     : session_(session),
-      cutting_(cut, with_offsets(std::move(turned), [this](std::uint32_t row) { return offset_now(row); }), lathe_roles(session.control())),
+      cutting_(cut, with_table(std::move(turned), session, [this](std::uint32_t row) { return offset_now(row); }),
+               lathe_roles(session.control())),
+      watch_(watch),
       clock_(lathe_clock(session)) {
   cutting_.on_finding = [this](const CutFinding& f) {
-    if (on_finding) on_finding(f, session_.settled_control().report_for(alarm_of(f), f.origin));
+    if (!on_finding) return;
+    AlarmReport report = session_.settled_control().report_for(alarm_of(f), f.origin);
+    report.own_text = names_of_bodies(f);
+    on_finding(f, report);
   };
 }
 
@@ -50,7 +56,22 @@ TurnedRun::TurnedRun(Session& session, const CutJob& cut, TurnedJob turned)
 ToolOffset TurnedRun::offset_now(std::uint32_t row) const {
   const Setup tables = session_.settled_control().tables_now();
   const auto found = tables.offsets.find(int(row));
-  return found == tables.offsets.end() ? ToolOffset() : found->second;
+  return found == tables.offsets.end() || !states_insert(session_.def(), found->second) ? ToolOffset() : found->second;
+}
+
+void TurnedRun::finish() {
+  if (watch_ != nullptr) watch([&](auto& found, auto& notes) { watch_->finish(found, notes); });
+  cutting_.finish();
+}
+
+template <class Take>
+void TurnedRun::watch(const Take& take) {
+  std::vector<CutFinding> found;
+  std::vector<std::string> notes;
+  take(found, notes);
+  for (const CutFinding& finding : found) cutting_.also(finding);
+  for (const std::string& note : notes)
+    if (on_note) on_note(note);
 }
 
 void TurnedRun::on_block(std::function<void(const BlockLoad&)> take) {
@@ -86,9 +107,21 @@ void TurnedRun::attach(const StopToken& stop, ProgressDisplay* progress_display)
   session_.change_outlets();
 }
 
+PartResult TurnedRun::part_result(const TurnedComparison& compared) const {
+  const auto difference = [&](const TurnedDifference& d) {
+    const auto last = d.volume > 0 ? cutting_.last_at(d.at) : std::nullopt;
+    const Origin origin = last.value_or(Origin());
+    return PartDifference{d.volume, d.deepest, {d.at.x, 0, d.at.y}, origin.line, program_of(origin.file)};
+  };
+  PartResult result;
+  result.left_on = difference(compared.left_on), result.gouged = difference(compared.gouged);
+  return result;
+}
+
 CutResult TurnedRun::result() const {
   CutResult result = cutting_.result();
-  for (CutFinding& f : result.collisions) name_program(f), f.calls = session_.settled_control().calls_of(f.origin);
+  for (auto* const findings : {&result.collisions, &result.warnings})
+    for (CutFinding& f : *findings) name_program(f), f.calls = session_.settled_control().calls_of(f.origin);
   for (BlockLoad& load : result.heaviest) name_program(load);
   for (AirCut& air : result.emptiest) name_program(air);
   for (ThreadCut& thread : result.threads) name_program(thread);
@@ -99,6 +132,7 @@ CutResult TurnedRun::result() const {
 void TurnedRun::consume(const Step& step, double longer) {
   const MachineTime time{step.begins + later_, step.time.seconds + longer};
   later_ += longer;
+  if (watch_ != nullptr) watch([&](auto& found, auto& notes) { watch_->take(step, time, found, notes); });
   if (without_shape_) return;
   if (const Status taken = cutting_.consume(step, time); !taken) {
     without_shape_ = session_.settled_control().report_for(taken.error(), step.action.origin);

@@ -4,14 +4,10 @@
 
 #include <algorithm>
 
+#include "stock/turned/edge_distance.h"
+
 namespace kadr {
 namespace {
-
-double off_chord(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double square = dot(d, d), part = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  return length(a + part * d - p);
-}
 
 /// Marks the corners between two others that a polyline within `deviation` mm needs. `last` may be one past the end: the first corner.
 void mark_needed(const TurnedPolygon& p, std::size_t first, std::size_t last, double deviation, std::vector<bool>& needed) {
@@ -22,7 +18,7 @@ void mark_needed(const TurnedPolygon& p, std::size_t first, std::size_t last, do
     double most = deviation;
     std::size_t farthest = a;
     for (std::size_t i = a + 1; i < b; ++i)
-      if (const double off = off_chord(p[i], p[a], p[b % p.size()]); off > most) most = off, farthest = i;
+      if (const double off = distance_to_edge(p[i], p[a], p[b % p.size()]); off > most) most = off, farthest = i;
     if (farthest == a) continue;
     needed[farthest] = true;
     open.push_back({a, farthest});

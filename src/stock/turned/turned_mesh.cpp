@@ -22,11 +22,6 @@ TurnedPolygon simplified(const TurnedPolygon& p, double deviation) {
   return few.size() >= 3 ? few : p;
 }
 
-int chords_for(double radius, double deviation) {
-  if (!(deviation < radius)) return least_chords;
-  return std::clamp(int(std::ceil(std::numbers::pi / std::acos(1 - deviation / radius))), least_chords, most_chords);
-}
-
 /// Adds the circle of points that a corner describes; a corner on the axis is one point. Returns the number of the first point.
 std::uint32_t add_circle(Mesh& mesh, Vec2 corner, int chords) {
   const auto first = std::uint32_t(mesh.point_count());
@@ -50,12 +45,17 @@ void add_cone(Mesh& mesh, std::uint32_t a, std::uint32_t b, bool a_point, bool b
 
 }  // namespace
 
+int chords_around(double radius, double deviation) {
+  if (!(deviation < radius)) return least_chords;
+  return std::clamp(int(std::ceil(std::numbers::pi / std::acos(1 - deviation / radius))), least_chords, most_chords);
+}
+
 Mesh turned_mesh(const TurnedRegion& region, double deviation) {
   Mesh mesh;
   double widest = 0;
   for (const TurnedPolygon& polygon : region)
     for (const Vec2 p : polygon) widest = std::max(widest, p.x);
-  const int chords = chords_for(widest, deviation / 2);
+  const int chords = chords_around(widest, deviation / 2);
   for (const TurnedPolygon& polygon : region) {
     const TurnedPolygon few = simplified(polygon, deviation / 2);
     std::vector<std::uint32_t> circles;

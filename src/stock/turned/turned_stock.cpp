@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "stock/turned/edge_distance.h"
+
 namespace kadr {
 
 namespace cl = ClipperLib;
@@ -116,12 +118,6 @@ std::size_t corners_of(const cl::Paths& paths) {
   std::size_t count = 0;
   for (const cl::Path& path : paths) count += path.size();
   return count;
-}
-
-double distance_to_edge(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double square = dot(d, d), part = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  return length(a + part * d - p);
 }
 
 /// Returns true if the middle of the edge lies on the surface of the blank, along an edge of it.
