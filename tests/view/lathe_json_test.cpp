@@ -30,7 +30,7 @@ PageJson state_of(const std::string& program, const std::string& control, std::u
 
 constexpr const char* lathe =
     "O1\n"
-    "G10 P1 X-40. Z-20. R0.8 Q3\n"
+    "G10 P10001 X-40. Z-20. R0.8 Q3\n"
     "T0101\n"
     "G50 S2000\n"
     "G96 S200 M3\n"

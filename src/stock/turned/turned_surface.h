@@ -20,7 +20,8 @@ struct TurnedView {
 };
 
 /// Returns the surface of the part about Z. Surface::made_by has the numbers of TurnedView::maker_of and ThreadGroove::maker. Two edges of
-/// the region that meet do not share points, so that each has its colour.
+/// the region that meet do not share points, so that each has its colour. The surface is closed, except where a thread runs out over the
+/// end of its cylinder.
 Surface turned_surface(const TurnedView& part);
 
 /// Returns the section of the part by the half plane at an angle (rad) from X, as polygons like those of the region: with the teeth of the
