@@ -7,7 +7,7 @@ deeper than the start of the cycle, the figure's own depth bounds it.
 import bisect
 import math
 
-from lathe_twin.shapes import Piece
+from lathe_twin.shapes import EPS, Piece
 
 SAMPLES = 90
 TOLERANCE = 2e-5
@@ -36,15 +36,13 @@ class Heights:
 
 
 def depths_at(pieces, u):
-    """Returns the depths at which pieces pass over u; u is no end of a piece."""
+    """Returns the depths at which pieces pass over u, lines along d aside."""
     found = []
     for piece in pieces:
-        if piece.c is None:
-            low, high = sorted((piece.a[0], piece.b[0]))
-            if low < u < high:
-                found.append(piece.a[1] + (u - piece.a[0]) / (piece.b[0] - piece.a[0]) * (piece.b[1] - piece.a[1]))
-        else:
-            found += [piece.at(t)[1] for t in piece.shares_where(0, u)]
+        if abs(piece.b[0] - piece.a[0]) < EPS and piece.c is None:
+            continue
+        found += [end[1] for end in (piece.a, piece.b) if abs(end[0] - u) < EPS]
+        found += [piece.at(t)[1] for t in piece.shares_where(0, u)]
     return found
 
 

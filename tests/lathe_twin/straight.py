@@ -21,8 +21,6 @@ def single(p):
                 p.feed = None
         else:
             words += p.feed_word()
-        if not words:
-            continue
         p.lines.append(f'{code + " " if number == 0 else ""}{words}')
         here, there = grid.mm(*start), grid.mm(*end)
         if code == 'G92':
@@ -39,6 +37,7 @@ def single_words(p, start, end, taper, ahead, down, code, first):
     x = start[1] + down * 2 * chance.randint(200, 6000) if first or z == end[0] or chance.random() < 0.4 else end[1]
     words = p.target('X', 'U', start[1], x) if first or x != end[1] else ''
     words += p.target('Z', 'W', start[0], z) if first or z != end[0] else ''
+    words = words or p.word('X', x)                        # only an axis word repeats the cycle
     if chance.random() < (0.4 if first else 0.15):
         most = min(abs(x - start[1]) // 2, abs(z - start[0]), 3000)
         taper = p.signed(0, most)
