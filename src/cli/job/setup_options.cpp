@@ -70,10 +70,10 @@ std::optional<Json> tool(const std::string& text) {
   const auto list = list_of(values);
   if (!is_whole(number) || !list) return std::nullopt;
   Json row = Json::object();
-  for (const auto& [name, value] : *list) {
-    const auto key = std::find_if(std::begin(tool_keys), std::end(tool_keys), [&](const auto& k) { return k.first == name; });
+  for (const Named& item : *list) {
+    const auto key = std::find_if(std::begin(tool_keys), std::end(tool_keys), [&](const auto& k) { return k.first == item.name; });
     if (key == std::end(tool_keys) || row.contains(key->second)) return std::nullopt;
-    row[key->second] = value;
+    row[key->second] = item.value;
   }
   return Json{{"offsets", {{number, row}}}};
 }
