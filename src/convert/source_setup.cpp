@@ -230,7 +230,7 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   made.feed_override = setup.feed_override, made.rapid_override = setup.rapid_override, made.spindle_override = setup.spindle_override;
   made.tool = setup.tool;
   if (allows_key(to, "clock")) made.clock = setup.clock;
-  if (allows_key(to, "chuck_face")) made.chuck_face = setup.chuck_face, made.tailstock = setup.tailstock;
+  if (has(to, SetupNeeds::turning)) made.chuck_face = setup.chuck_face, made.tailstock = setup.tailstock;
   if (allows_key(to, "probe")) made.probe = setup.probe, made.probe_hole = setup.probe_hole;
   // Default of Grbl's $30, the greatest spindle speed in rev/min, to which a higher S is reduced (spec/grbl 8)
   constexpr double usual_speed = 1000;
