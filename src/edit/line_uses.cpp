@@ -34,7 +34,10 @@ LineUses LineUses::of(std::unique_ptr<Session> session, const StopToken& stop) {
   Outlets& outlets = session->outlets();
   outlets.stop = stop;
   outlets.step = [&](const Step& step) {
-    if (const auto* const change = std::get_if<ToolChange>(&step.action.what)) tool = change->tool;
+    by_kind(
+        step.action, [&](const ToolChange& change) { tool = change.tool; },
+        ignores<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange,
+                SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
     const Motion* const motion = step.motion();
     if (motion != nullptr) use.diameters_ |= motion->diameters;
     if (motion == nullptr || step.action.origin.file != 0) return;

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 
-/// True for comments that the control carries out, such as (MSG,…) and (DEBUG,…) of RS274/NGC (spec/linuxcnc 3.4): they are no remarks.
-bool is_carried_out(std::string_view comment) {
+/// True for comments that the control executes, such as (MSG,…) and (DEBUG,…) of RS274/NGC (spec/linuxcnc 3.4): they are no remarks.
+bool is_executed(std::string_view comment) {
   while (comment.starts_with(' ')) comment.remove_prefix(1);
   for (const std::string_view word : {"MSG", "DEBUG", "PRINT", "LOG", "PROBE", "AXIS", "PREVIEW", "ABORT", "PY"}) {
     if (comment.size() <= word.size()) continue;
@@ -75,7 +75,7 @@ class ProgramWriter {
   /// Removes a comment with its brackets, or with its semicolon, and the blanks before it.
   void remove_comment(Span inside) {
     const std::string_view text = block_.text;
-    if (is_carried_out(block_.text_of(inside)) || inside.begin == 0) return;
+    if (is_executed(block_.text_of(inside)) || inside.begin == 0) return;
     Span where{inside.begin - 1, inside.end};
     if (text[where.begin] == '(' && where.end < text.size() && text[where.end] == ')') ++where.end;
     else if (text[where.begin] == '/' && where.begin > 0) --where.begin;
@@ -115,8 +115,8 @@ class ProgramWriter {
     const std::size_t begin = text.find_first_not_of(" \t");
     if (begin == std::string_view::npos) return false;
     const std::size_t end = text.find_last_not_of(" \t\r");
-    if (text[begin] == ';') return (grammar_.semicolon_comments || grammar_.semicolon_ends) && !is_carried_out(text.substr(begin + 1));
-    return text[begin] == '(' && text[end] == ')' && text.find(')') == end && !is_carried_out(text.substr(begin + 1, end - begin - 1));
+    if (text[begin] == ';') return (grammar_.semicolon_comments || grammar_.semicolon_ends) && !is_executed(text.substr(begin + 1));
+    return text[begin] == '(' && text[end] == ')' && text.find(')') == end && !is_executed(text.substr(begin + 1, end - begin - 1));
   }
 
   /// Writes the present line, with its changes.

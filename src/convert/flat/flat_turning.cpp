@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "action/by_kind.h"
 #include "convert/flat/flat_program.h"
 #include "out/program/words.h"
 
@@ -105,7 +106,7 @@ bool FlatProgram::hold(const Motion& motion, const OffsetsInForce& now) {
 Status FlatProgram::write_held(const Action* next) {
   if (!held_) return {};
   const Motion held = *std::exchange(held_, std::nullopt);
-  const Motion* const after = next == nullptr ? nullptr : std::get_if<Motion>(&next->what);
+  const Motion* const after = next == nullptr ? nullptr : motion_of(*next);
   return after != nullptr && reference_of(after->end_reference) != 0 ? Status() : motion(held, held_offsets_);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "action/by_kind.h"
 #include "base/code_literals.h"
 #include "base/tolerance.h"
 #include "config/control/drill_steps.h"
@@ -41,7 +42,7 @@ Status to_hole(Emitter& m, const Axes& to, AxisMask named) {
   const std::size_t before = m.batch->size();
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
   if (!fanuc_of(m).settings.holes_exact || m.batch->size() == before) return {};
-  if (auto* const motion = std::get_if<Motion>(&m.batch->back().what)) motion->exact = true;
+  if (Motion* const motion = motion_of(m.batch->back())) motion->exact = true;
   return {};
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "action/by_kind.h"
 #include "base/code_literals.h"
 #include "base/units.h"
 #include "control/functions/functions.h"
@@ -47,7 +48,7 @@ void set_motion(BlockContext& m, std::int32_t tenths) {
 /// pass (LinuxCNC 2.9.4).
 void leave_uncompensated(Emitter& m) {
   if (m.batch->empty()) return;
-  auto* const motion = std::get_if<Motion>(&m.batch->back().what);
+  Motion* const motion = motion_of(m.batch->back());
   if (motion == nullptr) return;
   motion->side = 0;
   motion->side_step = SideStep::none;
