@@ -32,8 +32,12 @@ TEST(TurnedPicture, EachEdgeHasTheToolThatCutItLast) {
   for (std::size_t i = 0; i < surface.made_by.size(); ++i) {
     const Vec3 p = surface.point(i);
     const double r = std::hypot(p.y, p.z);
-    if (r > 13.1 && r < 14.9) EXPECT_EQ(surface.made_by[i], 1);
-    if (r > 19.9 || p.x < -29.9) EXPECT_NE(surface.made_by[i], 1);
+    if (r > 13.1 && r < 14.9) {
+      EXPECT_EQ(surface.made_by[i], 1);
+    }
+    if (r > 19.9 || p.x < -29.9) {
+      EXPECT_NE(surface.made_by[i], 1);
+    }
   }
   std::size_t of_tool[3] = {};
   for (const std::int32_t by : surface.made_by) ++of_tool[by + 1];

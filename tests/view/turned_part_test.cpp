@@ -77,7 +77,7 @@ double left_until(const OpenedProgram& program, double until) {
   job.until = until;
   auto session = Session::open(program.spec(*program.program(), {}));
   take_session(**session, false, job);
-  TurnedRun run(**session, job, *turned_job_of(*program.def, program.machine, bar, {}));
+  TurnedRun run(**session, job, *turned_job_of(program.machine, program.setup, bar, {}));
   run.attach({});
   (void)(*session)->run();
   run.finish();

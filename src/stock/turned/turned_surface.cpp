@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr double near_axis = 1e-6;     // mm; a corner this near to the axis lies on it
+constexpr double surface_axis = 1e-6;     // mm; a corner this near to the axis lies on it
 constexpr double least_groove = 1e-3;  // mm; a groove that is shallower is not drawn
 constexpr double straight_angle = std::numbers::pi;
 // rad; at a corner that turns by less the surface is smooth: chords of an arc, within `edge_deviation`
@@ -137,7 +137,7 @@ class SurfaceMaker {
 
   /// Adds the cone between the circles of two corners; the outside is to the right of the way from a to b.
   void add_cone(const ShownEdge& edge, Vec2 a, Vec2 b) {
-    if (a == b || (a.x <= near_axis && b.x <= near_axis)) return;
+    if (a == b || (a.x <= surface_axis && b.x <= surface_axis)) return;
     const auto n = std::uint32_t(chords_);
     std::uint32_t first[2];
     for (int side = 0; side < 2; ++side) {
@@ -147,8 +147,8 @@ class SurfaceMaker {
     }
     for (std::uint32_t k = 0; k < n; ++k) {
       const std::uint32_t next = (k + 1) % n;
-      if (a.x > near_axis) add_triangle(first[0] + k, first[0] + next, first[1] + next);
-      if (b.x > near_axis) add_triangle(first[0] + k, first[1] + next, first[1] + k);
+      if (a.x > surface_axis) add_triangle(first[0] + k, first[0] + next, first[1] + next);
+      if (b.x > surface_axis) add_triangle(first[0] + k, first[1] + next, first[1] + k);
     }
   }
 
@@ -221,7 +221,7 @@ std::vector<Vec2> turned_edges(const TurnedView& part) {
       const ShownEdge &before = edges[(i + edges.size() - 1) % edges.size()], &after = edges[i];
       const Vec2 a = before.b - before.a, b = after.b - after.a;
       const double turn = std::fabs(std::atan2(cross(a, b), dot(a, b)));
-      if (after.a.x > near_axis && turn > least_turn) corners.push_back(after.a);
+      if (after.a.x > surface_axis && turn > least_turn) corners.push_back(after.a);
     }
   }
   return corners;
