@@ -59,6 +59,8 @@ class Planned {
   /// Replaces all feeds, except thread feeds, by `feed`, mm/min, as in a dry run; see AxisMotion::run_dry().
   void run_dry(double feed) { motion_.run_dry(feed); }
 
+  /// Changes the position at which the plan starts. To be called before the first step.
+  void begin_at(const ToolPosition& stand) { motion_.begin_at(stand); }
   void consume(const Step& step) { motion_.consume(step); }
   const MotionLimits& limits() const { return limits_; }
 

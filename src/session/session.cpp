@@ -138,6 +138,7 @@ std::optional<Session::State> Session::begin_by_search() {
   const auto holds_before = std::exchange(control().holds_before, nullptr);
   const std::vector<InForce> at_first = control().in_force();
   std::optional<BlockSearch> found;
+  attached_.assign(attached_.size(), true);  // the planners receive nothing of the search
   {
     StopPoint target;
     target.block = static_cast<std::uint32_t>(std::stoul(spec_.setup.search.substr(1)));
@@ -145,11 +146,14 @@ std::optional<Session::State> Session::begin_by_search() {
     found = search_block(*this, stepping, target);
   }
   control().holds_before = holds_before;
+  attached_.assign(attached_.size(), false);
   if (!found) {
     if (state_ == State::stopped) return state_;
     alone_->refuse(alarm(AlarmId::search_not_reached, {}, std::string_view(spec_.setup.search)));
     return State::stopped;
   }
+  for (std::size_t i = 0; i < planned_.size(); ++i)
+    if (planned_[i]) planned_[i]->begin_at(stand(i));
   change_outlets();
   for (const BlockSearch::Code& code : found->carried_out) alone_->show(code.action);
   for (const InForce& missing : found->forgotten)

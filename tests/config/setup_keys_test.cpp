@@ -121,25 +121,25 @@ TEST(setup_keys, what_the_controls_have) {
   const std::map<std::string, std::set<H>> expected = {
       {"s2c42", {H::nothing, H::zeros, H::variables, H::parameters}},
       {"mach3", {H::nothing, H::work_offsets, H::variables, H::parameters, H::probe}},
-      {"linuxcnc", {H::nothing, H::work_offsets, H::variables, H::turning_lengths, H::ini, H::probe}},
+      {"linuxcnc", {H::nothing, H::work_offsets, H::variables, H::turning_lengths, H::ini, H::probe, H::turning}},
       {"grbl", {H::nothing, H::work_offsets, H::parameters, H::probe}},
       {"fanuc",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
-        H::probe, H::diameters, H::machine_axes}},
+        H::probe, H::diameters, H::turning, H::machine_axes}},
       {"fanuc-t",  // turning_lengths: its tables have variables for X and Y
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::lathe_offsets,
-        H::tool_management, H::clock, H::probe, H::diameters, H::machine_axes}},
+        H::tool_management, H::clock, H::probe, H::diameters, H::turning, H::machine_axes}},
       {"haas-st",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::lathe_offsets,
-        H::tool_management, H::clock, H::probe, H::diameters, H::machine_axes}},
+        H::tool_management, H::clock, H::probe, H::diameters, H::turning, H::machine_axes}},
       {"haas",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
-        H::probe, H::diameters, H::machine_axes}},
-      {"gost", {H::nothing, H::work_offsets, H::diameters, H::skip_question}},
+        H::probe, H::diameters, H::turning, H::machine_axes}},
+      {"gost", {H::nothing, H::work_offsets, H::diameters, H::turning, H::skip_question}},
       {"correctors", {H::nothing, H::correctors}},
       {"nct",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
-        H::probe, H::diameters, H::machine_axes}},
+        H::probe, H::diameters, H::turning, H::machine_axes}},
   };
   for (const ControlDef& def : controls()) {
     std::set<H> there;

@@ -77,10 +77,12 @@ export function lathe_steps({ kadr, page, pictures, only }) {
       await page.screenshot({ path: join(pictures, "lathe_cut.png") });
       await page.selectOption(".scene select[aria-label='Section']", "");
       await until("the whole part", async () => !(await settled_view()).equals(half));
+      const whole = await settled_view();
       await page.selectOption(".scene select[aria-label='Section']", "half");
-      await until("the half section again", async () => (await settled_view()).equals(half));
+      await until("the half section again", async () => !(await settled_view()).equals(whole));
+      const again = await settled_view();
       await to(0.6);
-      await until("the part later, with the insert", async () => !(await settled_view()).equals(half));
+      await until("the part later, with the insert", async () => !(await settled_view()).equals(again));
       await page.screenshot({ path: join(pictures, "lathe.png") });
     },
     async "the panel of a lathe"() {

@@ -89,6 +89,10 @@ AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, doubl
         planner_.line_to(to.data(), feed, corner, on_curve, tag);
       }) {
   for (std::size_t a = 0; a < limits.speed.size(); ++a) rapid_[a] = limits.speed[a] * 60;
+  begin_at(start);
+}
+
+void AxisMotion::begin_at(const ToolPosition& start) {
   planner_.begin(start.machine.data());
   now_.threads.begin(start.machine);
 }

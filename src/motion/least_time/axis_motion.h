@@ -51,6 +51,8 @@ class AxisMotion {
  public:
   /// `tolerance` is the corner tolerance in mm. It applies to corners for which the program states no tolerance.
   AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink);
+  /// Changes the position at which the motion starts. To be called before the first step.
+  void begin_at(const ToolPosition& start);
   AxisMotion(const AxisMotion&) = delete;  // Copying is disabled because the planner stores a pointer to this object.
   AxisMotion& operator=(const AxisMotion&) = delete;
 
