@@ -14,9 +14,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// A shaft with a shoulder, a cone and a blind bore.
-TurnedRegion shaft() {
-  return {{{0, -40}, {20, -40}, {20, -20}, {15, -10}, {15, 0}, {5, 0}, {5, -12}, {0, -14}}};
-}
+TurnedRegion shaft() { return {{{0, -40}, {20, -40}, {20, -20}, {15, -10}, {15, 0}, {5, 0}, {5, -12}, {0, -14}}}; }
 
 TEST(TurnedPart, TheSectionOfAMeshIsTheRegion) {
   const auto section = section_of(turned_mesh(shaft(), 0.01), 0.01);

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr double surface_axis = 1e-6;     // mm; a corner this near to the axis lies on it
+constexpr double surface_axis = 1e-6;  // mm; a corner this near to the axis lies on it
 constexpr double least_groove = 1e-3;  // mm; a groove that is shallower is not drawn
 constexpr double straight_angle = std::numbers::pi;
 // rad; at a corner that turns by less the surface is smooth: chords of an arc, within `edge_deviation`

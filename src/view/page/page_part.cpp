@@ -207,7 +207,8 @@ PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& quest
     file = tools_file_for(known, *run);
   }
   const std::vector<ProposedTool> proposed = proposed_tools(*run, file);
-  PageJson json = {{"stock", guess.text(zero, turns_part(*run, guess), radii_of(proposed), turned_hints(*run))}, {"tools", PageJson::array()}};
+  PageJson json = {{"stock", guess.text(zero, turns_part(*run, guess), radii_of(proposed), turned_hints(*run))},
+                   {"tools", PageJson::array()}};
   for (const ProposedTool& tool : proposed) json["tools"].push_back(proposal_json(tool));
   json["inserts"] = inserts_json(inserts_of(proposed));
   json["files"] = tools_files(server.folder, server.folder.shown(run->opened().path));
