@@ -2,6 +2,12 @@
 import "uplot/dist/uPlot.min.css";
 import "./style/base.css";
 import "./style/panes.css";
+import "./style/scene_pane.css";
+import "./style/lists.css";
+import "./style/cut.css";
+import "./style/timeline.css";
+import "./style/operator.css";
+import "./style/workshop.css";
 import "./style/view.css";
 import "./style/code.css";
 import "./style/making.css";

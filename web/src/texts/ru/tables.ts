@@ -1,0 +1,33 @@
+// Русские тексты: таблицы коррекций.
+import type { tables_en } from "../en/tables";
+
+export const tables_ru: Record<keyof typeof tables_en, string> = {
+  tables: "Таблицы",
+  tables_again: "Обновить",
+  tables_keep: "Сохранить в {file}",
+  tables_kept: "Сохранено в {file}",
+  tables_back: "Как в наладке",
+  tables_not_kept: "Правки живут до остановки сервера: хранит их kadr serve --state ФАЙЛ.",
+  tables_propose: "Предложить радиусы",
+  tables_propose_long: "По файлу инструментов и комментариям УП, где в таблице пусто",
+  tables_nothing: "Предложить нечего.",
+  tables_new_row: "Новая строка",
+  tables_add: "Добавить",
+  table_work_offsets: "Нули деталей",
+  table_zeros: "Плавающие нули",
+  table_offsets: "Коррекции инструмента",
+  table_correctors: "Корректоры",
+  table_tool_table: "Управление инструментом",
+  table_place_table: "Магазин",
+  table_form_table: "Формы инструментов",
+  table_variables: "Переменные",
+  table_parameters: "Параметры",
+  from_setup: "из наладки",
+  from_here: "изменено здесь; в наладке {value}",
+  from_program: "УП изменила на {value}",
+  set_by_line: "задана строкой {line}",
+  value: "Значение",
+  axis: "Ось",
+  touch_off: "Здесь, в {code},",
+  touch_off_set: "Задать нуль",
+};
