@@ -1,13 +1,18 @@
 // What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server. Exit
 // status 1 if a step fails. Waits are for conditions, with long limits: a busy machine is slow, not wrong. Steps that
 // the server does not support are skipped with a message.
-import { mkdirSync, statSync } from "node:fs";
+import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { browser, looks_at, must, until } from "./browser.mjs";
 import { convert_steps } from "./convert_steps.mjs";
 import { making_steps } from "./making_steps.mjs";
 import { finger_steps, panel_steps } from "./panel_steps.mjs";
+import { hands_on } from "./hands.mjs";
+import { keep_steps } from "./keep_steps.mjs";
+import { part_steps } from "./part_steps.mjs";
+import { rotary_steps } from "./rotary_steps.mjs";
+import { view_steps } from "./view_steps.mjs";
 import { figure_steps } from "./figure_steps.mjs";
 import { lathe_steps } from "./lathe_steps.mjs";
 import { list_steps } from "./list_steps.mjs";
@@ -20,68 +25,8 @@ mkdirSync(pictures, { recursive: true });
 const kadr = await server(examples);
 const { page, errors, close } = await browser();
 await kadr.prepare(page);
-const { count, text, ended, toasts, line_shown, kept, settled_view } = looks_at(() => page);
-const now = async () => Number(await page.locator(".slider").getAttribute("aria-valuenow"));
-const line = () => text(".state .block-told .dim");
-const not_served = async () => /not served|ещё нет|не обслуж/i.test(await toasts());
-/// Puts the cursor into a line of the text. The text may scroll to the slider's line while the mouse moves; then it
-/// tries again.
-async function click_line(begins) {
-  await page.locator(".slider").focus();
-  await page.keyboard.press("Home");
-  await until("the start", async () => (await now()) === 0 && (await line_shown()) !== "");
-  await until(`the cursor in ${begins}`, async () => {
-    await page
-      .locator(".cm-line", { hasText: begins })
-      .first()
-      .click({ position: { x: 30, y: 8 }, timeout: 5000 })
-      .catch(() => {});
-    return ((await page.locator(".cm-activeLine").first().textContent()) ?? "").startsWith(begins);
-  });
-}
-/// Adds a last line. It presses Enter: the effect of a line feed in typed text would depend on the browser.
-async function add_line(told) {
-  await page.locator(".cm-content").focus();
-  await page.keyboard.press("Control+End");
-  await page.keyboard.press("Enter");
-  await page.keyboard.insertText(told);
-}
-/// Returns the text that the view shows at each of these positions, by synthetic pointer events: one position per
-/// picture.
-const told_at = (places) =>
-  page.evaluate(async (all) => {
-    const canvas = document.querySelector(".scene-host canvas"),
-      tip = document.querySelector(".scene-tip"),
-      told = [];
-    for (const [clientX, clientY] of all) {
-      canvas.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY, pointerId: 1, bubbles: true }));
-      await new Promise((r) => requestAnimationFrame(r));
-      told.push(tip.hidden ? null : tip.textContent);
-    }
-    return told;
-  }, places);
-/// Moves the mouse over the view to a motion that `wanted` accepts; returns its position. The positions are from a
-/// grid, each far from the next, so that few need to be tried.
-async function find_motion(wanted = () => true) {
-  const box = await page.locator(".scene-host canvas").boundingBox(),
-    [columns, rows, step, batch] = [30, 24, 443, 20]; // step: no divisor in common with the number of positions
-  const places = Array.from({ length: columns * rows }, (_, i) => (i * step) % (columns * rows)).map((k) => [
-    box.x + (0.2 + 0.02 * (k % columns)) * box.width,
-    box.y + (0.15 + 0.03 * Math.floor(k / columns)) * box.height,
-  ]);
-  for (let i = 0; i < places.length; i += batch) {
-    const some = places.slice(i, i + batch),
-      told = await told_at(some);
-    for (const [k, at] of some.entries()) {
-      if (told[k] === null || !wanted(told[k])) continue;
-      await page.mouse.move(...at);
-      const tip = () => page.locator(".scene-tip").evaluate((e) => (e.hidden ? null : e.textContent));
-      const same = await until("the same by the mouse", async () => (await tip()) === told[k], 5000).catch(() => false);
-      if (same) return at;
-    }
-  }
-  throw new Error("no such motion found under the mouse");
-}
+const { count, text, ended, toasts, line_shown } = looks_at(() => page);
+const { now, not_served, click_line, find_motion } = hands_on(page);
 
 const only = process.env.STEPS; // parts of step names, separated by |: only these steps run
 const steps = {
@@ -134,114 +79,7 @@ const steps = {
     await until(`line ${wanted}`, async () => (await text(".state .block-told .dim")).startsWith(`line ${wanted}`));
     await until("its line in the text", line_shown);
   },
-  async "a long block does not push the figures out of the pane"() {
-    const wide = await page.evaluate(() => {
-      const block = document.querySelector(".block-text"),
-        pane = block.closest(".pane-body"),
-        was = block.textContent;
-      block.textContent = "G1 X[#5*COS[#121]-#101*#2] Y[#5*SIN[#121]-#101*#3] ".repeat(4);
-      const over = pane.scrollWidth - pane.clientWidth;
-      block.textContent = was;
-      return over;
-    });
-    must(wide <= 0, `${wide} px beyond the pane`);
-  },
-  async "views, cube, perspective, colours with their figures"() {
-    await page.keyboard.press("6");
-    await until("three faces", async () => (await count(".cube-face")) === 3);
-    await page.locator(".cube-face", { hasText: "Top" }).first().click();
-    await until("the cube has turned", async () => (await count(".cube-face")) === 1);
-    await page.keyboard.press("6");
-    for (const [value, told] of [
-      ["speed", /mm\/min/],
-      ["depth", /mm/],
-      ["slowed", /100/],
-      ["time", /\d:\d\d/],
-      ["tool", /T1/],
-      ["kind", /feed/],
-    ]) {
-      await page.selectOption(".scene-bar:not(.below) select", value);
-      await until(`the legend of ${value}`, async () =>
-        told.test((await page.locator(".scene-legend").textContent()) ?? ""),
-      );
-    }
-    await page.click(".scene-bar button:has-text('Ortho')");
-    await until("perspective", () => count(".scene-bar button:has-text('Persp')"));
-    await find_motion();
-    await page.click(".scene-bar button:has-text('Persp')");
-    must(await count(".flag-start"), "no flag at the start");
-    must(await count(".flag-end"), "no flag at the end");
-  },
-  async "turns, moves and zooms with the mouse and with two fingers"() {
-    const canvas = page.locator(".scene-host canvas"),
-      box = await canvas.boundingBox(),
-      [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-    const seen = async () =>
-      page.evaluate(() =>
-        [...document.querySelectorAll(".flag-sign")].map((e) => e.style.transform + e.style.visibility).join(),
-      );
-    const changes = async (name, act) => {
-      const before = await seen();
-      await act();
-      await until(name, async () => (await seen()) !== before);
-    };
-    await changes("turned", async () => {
-      await page.mouse.move(x, y);
-      await page.mouse.down();
-      await page.mouse.move(x + 60, y + 30, { steps: 4 });
-      await page.mouse.up();
-    });
-    await changes("moved", async () => {
-      await page.mouse.move(x, y);
-      await page.mouse.down({ button: "right" });
-      await page.mouse.move(x + 60, y, { steps: 4 });
-      await page.mouse.up({ button: "right" });
-    });
-    await changes("zoomed", () => page.mouse.wheel(0, -240));
-    const cdp = await page.context().newCDPSession(page),
-      fingers = (type, points) =>
-        cdp.send("Input.dispatchTouchEvent", {
-          type,
-          touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })),
-        });
-    await changes("pinched", async () => {
-      await fingers("touchStart", [[x - 40, y]]);
-      await fingers("touchStart", [
-        [x - 40, y],
-        [x + 40, y],
-      ]);
-      for (let i = 1; i <= 5; i++)
-        await fingers("touchMove", [
-          [x - 40 - 12 * i, y],
-          [x + 40 + 12 * i, y],
-        ]);
-      await fingers("touchEnd", []);
-    });
-    await changes("moved by two fingers", async () => {
-      await fingers("touchStart", [[x - 40, y]]);
-      await fingers("touchStart", [
-        [x - 40, y],
-        [x + 40, y],
-      ]);
-      for (let i = 1; i <= 5; i++)
-        await fingers("touchMove", [
-          [x - 40, y + 10 * i],
-          [x + 40, y + 10 * i],
-        ]);
-      await fingers("touchEnd", []);
-    });
-    await page.locator(".slider").focus();
-    await page.keyboard.press("f");
-  },
-  async "a picture as PNG"() {
-    const [download] = await Promise.all([
-      page.waitForEvent("download"),
-      page.click(".scene-bar.below button:has-text('PNG')"),
-    ]);
-    const file = join(pictures, "view.png");
-    await download.saveAs(file);
-    must(statSync(file).size > 3000, "the picture is empty");
-  },
+  ...view_steps({ page, pictures }),
   async "the slider goes back and forth by keys and mouse"() {
     const slider = page.locator(".slider");
     await slider.focus();
@@ -287,152 +125,8 @@ const steps = {
     await until("the old text", async () => !(await count(".dirty")));
     await until("no alarm any more", async () => !(await count(".problems .alarm")));
   },
-  async "cuts, shows the part at an instant"() {
-    await page.click("[data-tab=cut_tab]");
-    await until("the form", () => count(".cut-run button"));
-    await page.click(".cut-run button");
-    await until("what is left", async () => (await count(".cut .facts")) || (await not_served()), 120_000);
-    if (await not_served()) return "skipped: not served yet";
-    await page.keyboard.press("Escape");
-    await page.locator(".slider").focus();
-    await page.keyboard.press("End");
-    await until(
-      "the part at the end",
-      async () => /\d/.test((await page.locator(".cut .note").allTextContents()).join(" ")),
-      60_000,
-    );
-    await until("the end", async () => (await now()) > 1);
-    await settled_view(); // the previous part may still arrive
-    const whole = (await page.locator(".cut .note").allTextContents()).join(" ");
-    await page.keyboard.press("Home");
-    await until(
-      "another part at the start",
-      async () => (await page.locator(".cut .note").allTextContents()).join(" ") !== whole,
-      60_000,
-    );
-    await page.screenshot({ path: join(pictures, "cut.png") });
-  },
-  async "section and measuring"() {
-    await page.selectOption(".scene-bar.below select", "0");
-    await until("the place of the section", async () => /X/.test(await text(".section-told")));
-    const told = await text(".section-told");
-    await page.locator(".scene-bar.below input[type=range]").fill("0.8");
-    await until("another place", async () => (await text(".section-told")) !== told);
-    await page.click(".scene-bar.below button.icon");
-    await page.selectOption(".scene-bar.below select", "");
-    await page.locator(".slider").focus();
-    await page.keyboard.press("1");
-    await page.keyboard.press("m");
-    must((await text(".scene-told")).length > 5, "measuring does not say how");
-    const first = await find_motion((t) => /feed/.test(t)),
-      line_of = async () => /line (\d+)/.exec((await page.locator(".scene-tip").textContent()) ?? "")?.[1];
-    const here = await line_of();
-    await page.mouse.click(...first);
-    await until("the first end", async () => /now the second/.test(await text(".scene-told")));
-    const second = await find_motion((t) => !t.startsWith(`line ${here} `) && /feed|arc/.test(t));
-    await page.mouse.click(...second);
-    await until("the distance", async () => /Distance \d+\.\d{3}/.test(await text(".scene-told")));
-    const arc = await find_motion((t) => / R \d/.test(t)).catch(() => null);
-    if (arc) {
-      await page.mouse.click(...arc);
-      await until("an end of the arc or its centre", async () => /Centre R|Point/.test(await text(".scene-told")));
-    }
-    await page.keyboard.press("Escape");
-    must((await text(".scene-told")) === "", "measuring does not end");
-  },
-  async "two languages"() {
-    await page.locator(".slider").focus();
-    await page.keyboard.press("End");
-    await until("the end", async () => (await now()) > 1);
-    await page.keyboard.press("3");
-    await page.selectOption(".scene-bar:not(.below) select", "depth");
-    await until("its state", async () => (await text(".state")).includes("left 0:00.0"));
-    const stood = await now(),
-      where = await text(".block-text"),
-      seen = () => page.evaluate(() => document.querySelector(".view-cube polygon")?.getAttribute("points")),
-      eye = await seen();
-    await page.click(".switch [lang=ru]");
-    await until("Russian", async () => (await text("[data-tab=summary]")) === "Сводка");
-    await ended();
-    await page.screenshot({ path: join(pictures, "ru.png") });
-    must((await page.getAttribute("html", "lang")) === "ru", "html lang");
-    await until(
-      "the same instant",
-      async () => Math.abs((await now()) - stood) < 0.2 && (await text(".block-text")) === where,
-    );
-    must((await seen()) === eye, "the view has turned");
-    must((await page.locator(".scene-bar:not(.below) select").inputValue()) === "depth", "the colouring has changed");
-    await until("controls in Russian", async () =>
-      /[а-яё]/i.test((await page.locator(".choices select").first().textContent()) ?? ""),
-    );
-    await page.click(".switch [lang=en]");
-    await until("English", async () => (await text("[data-tab=summary]")) === "Summary");
-    await ended();
-  },
-  async "loses the connection and comes back to the same instant"() {
-    await page.locator(".slider").focus();
-    await page.keyboard.press("End");
-    await until("the end", async () => (await now()) > 1);
-    const stood = await now(),
-      where = await line();
-    await kadr.lose();
-    await until("the banner", () => page.locator(".banner").isVisible());
-    await kadr.regain();
-    await until("no banner", async () => !(await page.locator(".banner").isVisible()));
-    await ended();
-    await until("the same instant", async () => Math.abs((await now()) - stood) < 0.2 && (await line()) === where);
-  },
-  async "a reload keeps file and instant"() {
-    await page.goto("about:blank");
-    await page.goto(kadr.address()); // the restarted server has another token
-    await ended();
-    await page.locator(".slider").focus();
-    await page.keyboard.press("End");
-    await until("the end", async () => (await now()) > 1);
-    const stood = await now();
-    await until("the instant is kept", async () => Math.abs((await kept("open"))?.at - stood) < 0.2);
-    await page.reload();
-    await ended();
-    await until("the same instant", async () => Math.abs((await now()) - stood) < 0.2);
-  },
-  async "saves, but not over what somebody else has changed"() {
-    const add = async (comment) => {
-      await add_line(comment);
-      await until("unsaved", () => count(".dirty"));
-      await page.keyboard.press("Control+s");
-    };
-    await add("(MINE)");
-    await until("saved", async () => !(await count(".dirty")));
-    await ended();
-    kadr.change();
-    await add("(CONFLICT)");
-    await until("the question", () => count("dialog button.main"));
-    await page.screenshot({ path: join(pictures, "conflict.png") });
-    await page.click("dialog button.main");
-    await until(
-      "the one on the disk",
-      async () => !(await count(".dirty")) && !(await page.locator(".cm-content").textContent()).includes("CONFLICT"),
-    );
-    await ended();
-  },
-  async "a reload keeps what was not saved"() {
-    await add_line("(NOT SAVED)");
-    await until("unsaved", () => count(".dirty"));
-    await page.waitForTimeout(600); // it is saved a short time after the last key
-    await page.reload();
-    await ended();
-    await until(
-      "the text and its mark",
-      async () => (await page.locator(".cm-content").textContent()).includes("NOT SAVED") && (await count(".dirty")),
-    );
-    await page.locator(".cm-content").focus();
-    await page.keyboard.press("Control+End");
-    for (let i = 0; i <= "(NOT SAVED)".length; i++) await page.keyboard.press("Backspace");
-    await until(
-      "the saved text again",
-      async () => !(await page.locator(".cm-content").textContent()).includes("NOT") && !(await count(".dirty")),
-    );
-  },
+  ...part_steps({ page, pictures }),
+  ...keep_steps({ kadr, page, pictures }),
   async "two versions side by side"() {
     await page.click(".topbar button:has-text('Compare')");
     await until("the other programs", () => count(".compare option"));
@@ -484,47 +178,7 @@ const steps = {
     await page.keyboard.press("Escape");
     await page.keyboard.press("F6");
   },
-  async "rotary axes turn the part, and what is cut of it"() {
-    if (!process.env.KADR) return "skipped: the made-up session has no rotary axes";
-    await page.goto(`${new URL(kadr.address()).origin}/`);
-    await until("the files", () => count(".file-row"));
-    if (!only) await ended(); // the program that was open before the reload has opened again, with its folder
-    await page.click(".crumbs button >> nth=0");
-    for (const name of ["five-axes", "trunnion_drilling.nct"]) await page.click(`.file-row:has-text('${name}')`);
-    await ended();
-    for (const [which, value] of [
-      ["control", "nct"],
-      ["machine", "table-table"],
-    ]) {
-      await page.selectOption(`.choices select[aria-label='${which === "control" ? "Control" : "Machine"}']`, value);
-      await page.waitForTimeout(300);
-      await ended();
-    }
-    await page.fill(".choices input", "five-axes/trunnion_drilling.json");
-    await page.keyboard.press("Enter");
-    await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
-    const slider = await page.locator(".slider").boundingBox();
-    await page.mouse.click(slider.x + 0.62 * slider.width, slider.y + slider.height / 2);
-    const tick = async () => {
-      await page.click(".filters summary");
-      await page.locator(".filters label:has-text('The part turns')").click();
-      await page.click(".filters summary"); // the list covers the view, and would be in its picture
-      await page.locator(".slider").hover();
-    };
-    await page.locator(".slider").hover();
-    const turned = await settled_view();
-    await page.screenshot({ path: join(pictures, "turned.png") });
-    await tick();
-    await until("the part does not turn any more", async () => !(await settled_view()).equals(turned));
-    await page.screenshot({ path: join(pictures, "not_turned.png") });
-    await tick();
-    await until("it turns again", async () => (await settled_view()).equals(turned));
-    await page.click("[data-tab=cut_tab]");
-    await until("the form", () => count(".cut-run button"));
-    await page.click(".cut-run button");
-    await until("what is left", () => count(".cut .facts"), 120_000);
-    await page.screenshot({ path: join(pictures, "turned_cut.png") });
-  },
+  ...rotary_steps({ kadr, page, pictures, only }),
   ...text_steps({ kadr, page, pictures, only }),
   ...figure_steps({ kadr, page, pictures, only }),
   ...lathe_steps({ kadr, page, pictures, only }),
