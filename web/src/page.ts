@@ -8,6 +8,7 @@ import "./style/cut.css";
 import "./style/timeline.css";
 import "./style/operator.css";
 import "./style/workshop.css";
+import "./style/operator_screen.css";
 import "./style/view.css";
 import "./style/code.css";
 import "./style/making.css";
@@ -36,6 +37,7 @@ import { layout, next_pane, Tabs } from "./ui/layout";
 import { MachineSource } from "./ui/machine_source";
 import { Operator } from "./model/operator";
 import { OperatorPanel } from "./ui/operator_panel";
+import { operator_screen } from "./operator/assemble";
 import { Player } from "./ui/player";
 import { ProblemsPanel } from "./ui/problems_panel";
 import { ScenePane } from "./ui/scene_pane";
@@ -120,13 +122,15 @@ const top = new Topbar(app, {
   sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
   compare: () => show_compare(app, { begin: () => scene?.clearPath(1), line: (n) => void go_to_line(n, 0) }),
   help: show_help,
+  operator: () => mode.set(true),
   theme: (dark) => scene?.setTheme(dark),
 });
 files.element.hidden = remembered("files_hidden", false);
+const banner_pane = banner(app);
 document.body.append(
   layout({
     top: top.element,
-    banner: banner(app),
+    banner: banner_pane,
     files: files.element,
     source: source.element,
     scene: scene_pane.element,
@@ -198,6 +202,16 @@ function show_boxes(): void {
   scene?.setBoxes([...stock, ...(all ? [{ name: t("extents"), kind: "extents" as const, box: all }] : [])]);
 }
 
+const mode = operator_screen(app, operator, {
+  panel: operator_panel,
+  banner: banner_pane,
+  files: files.element,
+  scene: scene_pane.element,
+  source: source.element,
+  problems: problems.element,
+  show_line: (line) => source.show(line),
+  help: show_help,
+});
 listen_keys(app, player, {
   view: (name) => scene?.view(name),
   measure: () => scene_pane.toggle_measure(),

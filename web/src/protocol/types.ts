@@ -101,7 +101,8 @@ export interface Questions {
   ];
   enter: [{ line: string }, object];
   undo: [object, object];
-  jog: [{ axis: string; way: number; feed?: number; channel?: number }, object];
+  jog: [{ axis: string; way: number; feed?: number; channel?: number; held?: boolean }, object];
+  jogging: [{ on: boolean }, object];
   restart: [
     RestartPlace & { by_control?: boolean; clearance?: number; above?: number; feed?: number },
     RestartSheet | { ready: false },

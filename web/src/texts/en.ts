@@ -2,6 +2,7 @@
 import { bar_en } from "./en/bar";
 import { cut_en } from "./en/cut";
 import { making_en } from "./en/making";
+import { operator_en } from "./en/operator";
 import { panel_en } from "./en/panel";
 import { report_en } from "./en/report";
 import { restart_en } from "./en/restart";
@@ -17,6 +18,7 @@ export const en = {
   ...tables_en,
   ...restart_en,
   ...panel_en,
+  ...operator_en,
   ...making_en,
   ...report_en,
 };

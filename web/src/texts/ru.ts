@@ -2,6 +2,7 @@
 import { bar_ru } from "./ru/bar";
 import { cut_ru } from "./ru/cut";
 import { making_ru } from "./ru/making";
+import { operator_ru } from "./ru/operator";
 import { panel_ru } from "./ru/panel";
 import { report_ru } from "./ru/report";
 import { restart_ru } from "./ru/restart";
@@ -18,6 +19,7 @@ export const ru: Record<TextKey, string> = {
   ...tables_ru,
   ...restart_ru,
   ...panel_ru,
+  ...operator_ru,
   ...making_ru,
   ...report_ru,
 };

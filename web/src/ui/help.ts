@@ -21,32 +21,48 @@ const keys: [string, TextKey][] = [
   ["Ctrl Z", "key_undo"],
   ["F6", "key_panes"],
   ["Esc", "key_leave"],
+  ["O", "key_operator"],
   ["?", "key_help"],
 ];
 
-export function show_help(): void {
-  open_dialog(
-    t("keys"),
+/// Keys of the operator's screen (operator/keys.ts).
+const operator_keys: typeof keys = [
+  ["R", "key_op_start"],
+  ["P", "key_op_hold"],
+  ["Esc", "key_op_escape"],
+  ["F1", "key_op_stop"],
+  ["− + 0", "key_op_override"],
+  ["1 2 3 4 5", "key_op_tabs"],
+  ["← → ↑ ↓ PgUp PgDn", "key_op_jog"],
+];
+
+const list = (of: typeof keys): HTMLElement =>
+  h(
+    "table",
+    { class: "keys" },
     h(
-      "div",
+      "tbody",
       null,
-      h(
-        "table",
-        { class: "keys" },
+      ...of.map(([k, what]) =>
         h(
-          "tbody",
+          "tr",
           null,
-          ...keys.map(([k, what]) =>
-            h(
-              "tr",
-              null,
-              h("th", { scope: "row" }, ...k.split(" ").flatMap((x) => [h("kbd", null, x), " "])),
-              h("td", null, t(what)),
-            ),
-          ),
+          h("th", { scope: "row" }, ...k.split(" ").flatMap((x) => [h("kbd", null, x), " "])),
+          h("td", null, t(what)),
         ),
       ),
-      h("p", { class: "note" }, t("keys_note")),
     ),
   );
+
+/// `operator`: the operator's screen is shown, whose keys come first.
+export function show_help(operator = document.body.classList.contains("operates")): void {
+  const of_page = h("div", null, h("h3", null, t("keys")), list(keys), h("p", { class: "note" }, t("keys_note")));
+  const of_operator = h(
+    "div",
+    null,
+    h("h3", null, t("keys_operator")),
+    list(operator_keys),
+    h("p", { class: "note" }, t("keys_operator_note")),
+  );
+  open_dialog(t("keys"), h("div", null, ...(operator ? [of_operator, of_page] : [of_page, of_operator])));
 }

@@ -85,7 +85,10 @@ export class Tabs {
   private host = h("div", { class: "pane-body", role: "tabpanel", tabindex: "0" });
   private chosen: TextKey;
 
-  constructor(private tabs: Tab[]) {
+  constructor(
+    private tabs: Tab[],
+    private chose: (name: TextKey) => void = () => {},
+  ) {
     this.chosen = tabs[0]!.name;
     this.element.append(this.list, this.host);
     this.list.addEventListener("keydown", (e) => {
@@ -104,6 +107,7 @@ export class Tabs {
   choose(name: TextKey): void {
     this.chosen = name;
     this.draw();
+    this.chose(name);
   }
 
   draw(): void {

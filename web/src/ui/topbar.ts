@@ -14,6 +14,7 @@ export interface TopbarVerbs {
   compare?(): void;
   licences?(): void;
   help(): void;
+  operator?(): void;
   theme(dark: boolean): void;
 }
 
@@ -66,6 +67,7 @@ export class Topbar {
       button(t("sheet"), verbs.sheet, { disabled: !app.done }),
       verbs.compare && button(t("compare"), verbs.compare, { disabled: !app.done }),
       verbs.licences && button(t("licences"), verbs.licences),
+      verbs.operator && button(t("op_enter"), verbs.operator, { title: t("op_enter_long"), "aria-keyshortcuts": "O" }),
       button("?", verbs.help, { class: "icon", title: t("keys"), "aria-label": t("keys") }),
       button(
         icon(this.dark ? "sun" : "moon"),

@@ -42,6 +42,8 @@ export interface Panel {
   hit: number;
   told: string;
   why: "" | "M0" | "M1" | "restart";
+  stop_line?: number; // of the program, with the code of `why`
+  stop_text?: string;
   goes_there: boolean;
   can_undo: number;
   blocks: number;

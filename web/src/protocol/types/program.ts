@@ -64,6 +64,7 @@ export interface Problem {
   text: string;
   hint?: string;
   file?: string | number;
+  file_name?: string;
   line: number;
   column?: number;
   end_column?: number;

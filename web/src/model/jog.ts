@@ -1,0 +1,101 @@
+// Axes moved by hand. A held key moves its axis as long as the page says so ten times a second: the machine stops by
+// itself when it hears nothing, whatever has happened to the page. Steps add up, none is lost.
+import type { Operator } from "./operator";
+
+export const renew_every = 100; // ms
+const most_waiting = 50; // steps
+
+export class HeldJog {
+  private timer: ReturnType<typeof setInterval> | undefined;
+
+  constructor(private operator: Operator) {}
+
+  get moves(): boolean {
+    return this.timer !== undefined;
+  }
+
+  /// Begins to move an axis; `feed` mm/min or degrees/min, 0: as fast as possible.
+  press(axis: string, sign: 1 | -1, feed: number, channel = 0): void {
+    this.release();
+    const renew = setInterval(() => void this.operator.ask("jogging", { on: true }, false), renew_every);
+    this.timer = renew;
+    const its = channel ? { channel } : {};
+    void this.operator.ask("jog", { axis, way: sign, feed, held: true, ...its }).then((answer) => {
+      if (!answer && this.timer === renew) this.end();
+    });
+  }
+  /// The axis slows down and stops.
+  release(): void {
+    if (!this.timer) return;
+    this.end();
+    void this.operator.ask("jogging", { on: false });
+  }
+
+  private end(): void {
+    clearInterval(this.timer);
+    this.timer = undefined;
+  }
+}
+
+/// Steps of one axis after the other; those that come while an axis moves are made when it stands.
+export class StepJog {
+  private waiting = new Map<string, { axis: string; channel: number; steps: number; size: number; feed: number }>();
+  private asking = false;
+  private moving = false; // the axes move because of a step
+
+  constructor(private operator: Operator) {
+    operator.on_panel.on(() => this.go_on());
+  }
+
+  /// True while steps may be added: the machine stands, or moves because of a step. A step that is asked for while a
+  /// program runs must not be made when it ends.
+  get takes(): boolean {
+    const p = this.operator.panel;
+    return Boolean(p?.holds) && (["standing", "ended"].includes(p!.mode) || (p!.mode === "running" && this.busy));
+  }
+  private get busy(): boolean {
+    return this.asking || this.moving;
+  }
+
+  /// `size` mm or degrees of one step, as the machine moves; `steps` signed.
+  step(axis: string, steps: number, size: number, feed: number, channel = 0): void {
+    if (!this.takes) return;
+    const key = `${channel}:${axis}`,
+      before = this.waiting.get(key);
+    const sum = before?.size === size ? before.steps + steps : steps;
+    this.waiting.set(key, {
+      axis,
+      channel,
+      size,
+      feed,
+      steps: Math.min(most_waiting, Math.max(-most_waiting, sum)),
+    });
+    this.go_on();
+  }
+  /// Forgets the steps that have not begun.
+  clear(): void {
+    this.waiting.clear();
+  }
+
+  private go_on(): void {
+    const p = this.operator.panel;
+    if (this.asking) return;
+    if (!this.takes) {
+      this.moving = false;
+      return this.clear();
+    }
+    if (p!.mode === "running") return;
+    this.moving = false;
+    if (!this.waiting.size) return;
+    const [key, { axis, channel, steps, size, feed }] = this.waiting.entries().next().value!;
+    this.waiting.delete(key);
+    if (!steps) return this.go_on();
+    this.asking = true;
+    const way = Math.round(steps * size * 1e6) / 1e6;
+    void this.operator.ask("jog", { axis, way, feed, ...(channel ? { channel } : {}) }).then((answer) => {
+      this.asking = false;
+      this.moving = answer !== null;
+      if (!answer) this.clear();
+    });
+  }
+}

@@ -1,0 +1,44 @@
+// Small parts of the operator's screen. Its elements stay the same while the machine moves: a button that was drawn
+// again would lose the finger that holds it.
+import { button, h } from "../ui/dom";
+
+/// Writes a text only where it has changed.
+export function write(e: Element, text: string): void {
+  if (e.textContent !== text) e.textContent = text;
+}
+export function mark(e: Element, name: string, on: boolean): void {
+  if (e.classList.contains(name) !== on) e.classList.toggle(name, on);
+}
+export function set(e: Element, name: string, value: string): void {
+  if (e.getAttribute(name) !== value) e.setAttribute(name, value);
+}
+export function enable(e: HTMLButtonElement | HTMLInputElement | HTMLSelectElement, may: boolean): void {
+  if (e.disabled === may) e.disabled = !may;
+}
+
+/// A button that shows whether it is on; `press` gets the wanted state.
+export function toggle(press: (on: boolean) => void, attributes: Record<string, unknown> = {}): HTMLButtonElement {
+  const b: HTMLButtonElement = button("", () => press(b.getAttribute("aria-pressed") !== "true"), {
+    "aria-pressed": false,
+    ...attributes,
+  });
+  return b;
+}
+
+/// An element of the page that the operator's screen shows for some time, and then gives back to its place.
+export class Borrowed {
+  private place = document.createComment("");
+
+  constructor(private element: HTMLElement) {}
+
+  take(into: HTMLElement): void {
+    if (!this.place.isConnected && this.element.parentNode) this.element.replaceWith(this.place);
+    if (this.element.parentNode !== into) into.append(this.element);
+  }
+  give_back(): void {
+    if (this.place.parentNode) this.place.replaceWith(this.element);
+  }
+}
+
+/// A heading for a part of a tab.
+export const heading = (text: string): HTMLElement => h("h3", null, text);

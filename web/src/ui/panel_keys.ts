@@ -1,0 +1,107 @@
+// The keys and switches of the panel: run, hold, reset, emergency stop, steps, overrides.
+import { remembered } from "../model/memory";
+import { most_feed } from "../model/overrides";
+import type { Operator } from "../model/operator";
+import type { Panel } from "../protocol/types";
+import { t } from "../texts/texts";
+import { button, fill, h } from "./dom";
+
+export class PanelKeys {
+  readonly element = h("div", { class: "operator-keys-part" });
+  private first = h("div", { class: "operator-keys first", role: "toolbar" });
+  private keys = h("div", { class: "operator-keys", role: "toolbar" });
+
+  constructor(private operator: Operator) {
+    this.element.append(this.first, this.keys);
+  }
+
+  clear(): void {
+    fill(this.first);
+    fill(this.keys);
+  }
+
+  private share(name: "override" | "rapid" | "spindle", p: Panel, most: number, least = 0): HTMLElement {
+    const input = h("input", {
+      type: "range",
+      min: String(least),
+      max: String(most),
+      step: "5",
+      value: String(Math.round(100 * p[name])),
+      disabled: !p.holds,
+      "aria-label": t(`share_${name}`),
+      oninput: () => void this.operator.ask("switches", { [name]: Number(input.value) / 100 }),
+    });
+    return h(
+      "label",
+      { class: "field" },
+      h("span", null, t(`share_${name}`)),
+      input,
+      h("span", { class: "dim override" }, `${Math.round(100 * p[name])} %`),
+    );
+  }
+
+  draw(p: Panel): void {
+    const { operator } = this,
+      off = !p.holds,
+      can_run = !off && !["alarm", "emergency"].includes(p.mode);
+    this.first.setAttribute("aria-label", t("panel"));
+    this.keys.setAttribute("aria-label", t("op_switches"));
+    const toggle = (text: string, on: boolean, set: (on: boolean) => void, title: string): HTMLElement =>
+      button(text, () => set(!on), { "aria-pressed": on, disabled: off, title });
+    const dry = h("input", {
+      size: "6",
+      inputmode: "decimal",
+      value: p.dry_feed ? String(p.dry_feed) : "",
+      placeholder: "0",
+      disabled: off,
+      "aria-label": t("dry_run"),
+      title: t("dry_run_long"),
+      onchange: () => void operator.ask("switches", { dry_feed: Number(dry.value.replace(",", ".")) || 0 }),
+    });
+    fill(
+      this.first,
+      button(t("press_run"), () => operator.press("run"), {
+        class: "main",
+        "data-starts": "",
+        disabled: !can_run || p.mode === "running",
+      }),
+      button(t("press_hold"), () => operator.press("hold"), { disabled: off || p.mode !== "running" }),
+      button(t("press_reset"), () => operator.press("reset"), { disabled: off, title: t("press_reset_long") }),
+      button(t("press_emergency"), () => operator.press("emergency"), { class: "emergency" }),
+    );
+    fill(
+      this.keys,
+      toggle(t("single"), p.single, (single) => void operator.ask("switches", { single }), t("single_long")),
+      toggle(
+        "M1",
+        p.optional_stop,
+        (optional_stop) => void operator.ask("switches", { optional_stop }),
+        t("optional_stop_long"),
+      ),
+      ...(["block", "over", "out"] as const).map((key) =>
+        button(t(`step_${key}`), () => operator.press(key), {
+          disabled: !can_run || !["standing", "ended"].includes(p.mode),
+          title: t(`step_${key}_long`),
+          "data-starts": "",
+        }),
+      ),
+      this.share("override", p, most_feed(remembered("override_200", false))),
+      this.share("rapid", p, 100),
+      this.share("spindle", p, 120, 50),
+      h("label", { class: "field" }, h("span", null, t("dry_run")), dry),
+      h(
+        "details",
+        { class: "skips" },
+        h("summary", null, `${t("skip")} ${p.skip.join(" ")}`),
+        h(
+          "div",
+          { class: "row" },
+          ...[1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) =>
+            toggle(`/${n}`, p.skip.includes(n), (on) => void operator.ask("switches", { skip: n, on }), t("skip")),
+          ),
+        ),
+      ),
+      button(t("switch_off"), () => operator.press("off"), { disabled: off }),
+    );
+  }
+}
