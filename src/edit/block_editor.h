@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "config/control/control_def.h"
-#include "edit/block_numbers.h"
+#include "edit/renumbering.h"
 #include "edit/edits.h"
 #include "edit/line_changes.h"
 #include "edit/line_uses.h"

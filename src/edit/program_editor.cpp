@@ -44,7 +44,7 @@ class ProgramWriter {
 
   tl::expected<EditedText, EditFault> write() {
     if (edits_.numbering) {
-      auto numbers = BlockNumbers::of(program_.source, program_.encoding, *program_.control, *edits_.numbering, stop_);
+      auto numbers = Renumbering::of(program_.source, program_.encoding, *program_.control, *edits_.numbering, stop_);
       if (!numbers) return tl::unexpected(numbers.error());
       numbers_ = std::move(*numbers);
     }
@@ -163,7 +163,7 @@ class ProgramWriter {
   LineReader raw_;
   BlockReader reader_;
   BlockEditor words_;
-  std::optional<BlockNumbers> numbers_;
+  std::optional<Renumbering> numbers_;
   Block block_;
   LineChanges changes_;
   EditedText made_;

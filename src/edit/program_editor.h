@@ -10,7 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "base/stop_token.h"
-#include "edit/block_numbers.h"
+#include "edit/renumbering.h"
 #include "edit/edits.h"
 #include "edit/line_uses.h"
 #include "lang/text/encoding.h"

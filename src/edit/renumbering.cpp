@@ -1,6 +1,6 @@
-// BlockNumbers: new block numbers and the words that name them. Used by edit/program_editor; tested by tests/edit.py.
+// Renumbering: new block numbers and the words that name them. Used by edit/program_editor; tested by tests/edit.py.
 
-#include "edit/block_numbers.h"
+#include "edit/renumbering.h"
 
 #include <fmt/format.h>
 
@@ -29,13 +29,13 @@ std::string_view letters_of(const CodeRow& row) {
 
 }  // namespace
 
-void BlockNumbers::note_program(const Block& block) {
+void Renumbering::note_program(const Block& block) {
   if (block.marker == Marker::label || block.marker == Marker::program_start) ++program_;
   in_section_ = block.marker == Marker::section || (in_section_ && block.marker != Marker::program_start);
 }
 
 /// Numbers in the section of the subprograms name the subprograms (spec/s2c42 6), so they stay.
-bool BlockNumbers::gets_number(const Block& block) const {
+bool Renumbering::gets_number(const Block& block) const {
   if (in_section_ || block.marker != Marker::none) return false;
   if (block.has_number) return true;
   const StatementKind kind = block.statement.kind;
@@ -43,7 +43,7 @@ bool BlockNumbers::gets_number(const Block& block) const {
   return does_something && kind != StatementKind::o_word && kind != StatementKind::system && def_->grammar.word('N').known && !block.broken;
 }
 
-tl::expected<std::vector<BlockNumbers::Reference>, EditFault> BlockNumbers::references(const Block& block) const {
+tl::expected<std::vector<Renumbering::Reference>, EditFault> Renumbering::references(const Block& block) const {
   std::vector<Reference> found;
   const auto fault = [&](Span where) {
     return tl::unexpected(EditFault{block.position.line, translated(texts::edit::computed_number, block.text_of(where))});
@@ -81,9 +81,9 @@ tl::expected<std::vector<BlockNumbers::Reference>, EditFault> BlockNumbers::refe
   return found;
 }
 
-tl::expected<BlockNumbers, EditFault> BlockNumbers::of(const std::shared_ptr<ByteSource>& source, std::optional<Encoding> encoding,
+tl::expected<Renumbering, EditFault> Renumbering::of(const std::shared_ptr<ByteSource>& source, std::optional<Encoding> encoding,
                                                        const ControlDef& def, const Numbering& numbering, const StopToken& stop) {
-  BlockNumbers made(def, numbering);
+  Renumbering made(def, numbering);
   Block block;
   const auto each_block = [&](const auto& take) -> tl::expected<void, EditFault> {
     BlockReader reader(source, def.grammar, encoding);
@@ -117,7 +117,7 @@ tl::expected<BlockNumbers, EditFault> BlockNumbers::of(const std::shared_ptr<Byt
 }
 
 /// Returns the new number of the named block: that of the same program, or, for a return to a caller, of the only program that has it.
-std::optional<std::uint32_t> BlockNumbers::new_number(const Reference& reference) const {
+std::optional<std::uint32_t> Renumbering::new_number(const Reference& reference) const {
   std::optional<std::uint32_t> only;
   for (const auto& [program, numbers] : new_of_) {
     const auto at = numbers.find(reference.number);
@@ -131,7 +131,7 @@ std::optional<std::uint32_t> BlockNumbers::new_number(const Reference& reference
 }
 
 /// Returns the number with its N, with as many digits as the block had or the control requires.
-std::string BlockNumbers::number_word(const Block& block, std::uint32_t number) const {
+std::string Renumbering::number_word(const Block& block, std::uint32_t number) const {
   const WordFormat& format = def_->grammar.word('N');
   const bool keeps_zeros = block.has_number && block.text_of(block.number_where).find_first_of("0123456789") != std::string_view::npos &&
                            block.text_of(block.number_where)[block.text_of(block.number_where).find_first_of("0123456789")] == '0';
@@ -139,7 +139,7 @@ std::string BlockNumbers::number_word(const Block& block, std::uint32_t number) 
   return fmt::format("{}{:0{}}", block.main_block ? ':' : 'N', number, digits);
 }
 
-tl::expected<void, EditFault> BlockNumbers::change(const Block& block, LineChanges& to) {
+tl::expected<void, EditFault> Renumbering::change(const Block& block, LineChanges& to) {
   note_program(block);
   const auto named = references(block);
   if (!named) return tl::unexpected(named.error());

@@ -1,5 +1,5 @@
 #pragma once
-// BlockNumbers: gives the blocks of a program new numbers, and finds the words that name a block: GOTO 100, M99 P100, G71 P10 Q20.
+// Renumbering: gives the blocks of a program new numbers, and finds the words that name a block: GOTO 100, M99 P100, G71 P10 Q20.
 
 #include <cstdint>
 #include <map>
@@ -24,12 +24,12 @@ struct EditFault {
   std::string why;
 };
 
-class BlockNumbers {
+class Renumbering {
  public:
   /// Reads the program once or twice. Memory grows with the number of references, not with the length of the program.
   ///   def     must outlive this object
   ///   returns a fault if a block is named by an expression, or if a number has too many digits for the control
-  static tl::expected<BlockNumbers, EditFault> of(const std::shared_ptr<ByteSource>& source, std::optional<Encoding> encoding,
+  static tl::expected<Renumbering, EditFault> of(const std::shared_ptr<ByteSource>& source, std::optional<Encoding> encoding,
                                                   const ControlDef& def, const Numbering& numbering, const StopToken& stop);
 
   /// Adds the changes of one block: its number, and the numbers of the blocks that it names. Must be called for each block in order.
@@ -42,7 +42,7 @@ class BlockNumbers {
     Span where;
     bool may_be_elsewhere = false;  // the block may be in another program of the file: that of the caller
   };
-  BlockNumbers(const ControlDef& def, const Numbering& numbering) : def_(&def), numbering_(numbering) {}
+  Renumbering(const ControlDef& def, const Numbering& numbering) : def_(&def), numbering_(numbering) {}
   void begin() { program_ = 0, next_ = numbering_.first, in_section_ = false; }
   void note_program(const Block& block);
   bool gets_number(const Block& block) const;
