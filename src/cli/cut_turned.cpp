@@ -78,8 +78,8 @@ tl::expected<void, std::string> draw(const TurnedCut& c, const TurnedCutting& cu
   if (c.options.run.plot.empty()) return {};
   const Lang lang = language(c.options.run);
   const bool compares = c.options.run.colour == "deviation";
-  const Surface surface =
-      turned_picture(cutting.stock().region(), cutting.stages(), picture_deviation, compares ? longest_compared : endless);
+  const Surface surface = turned_picture(cutting.stock().region(), cutting.stages(), cutting.grooves(), picture_deviation,
+                                         compares ? longest_compared : endless);
   PartScene scene{surface, pictured_box(*turned_region_of(c.options.stock)), compares ? PartColour::deviation : PartColour::tool, {}, {},
                   {}};
   if (compares) scene.deviation = {deviations(surface, *c.plan.wanted), result.part->allow};

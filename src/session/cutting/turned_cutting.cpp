@@ -246,7 +246,7 @@ void TurnedCutting::cut(const Moved& moved) {
   }
   if (moved.threads) {
     threads_.add({moved.origin, moved.lead, {place(0).x, 0, place(0).y}, {place(last).x, 0, place(last).y}}, moved.tool->shape);
-    if (on_thread) note_thread(moved, place(0), place(last));
+    if (on_thread || keeps_stages_) note_thread(moved, place(0), place(last));
   }
   count(moved, volume, way);
   if (moved.lacks_coolant && volume > 0) keep_warning(moved, place(last));
@@ -262,8 +262,8 @@ void TurnedCutting::cut(const Moved& moved) {
   }
 }
 
-/// Passes a pass of a thread to the caller. Left- or right-handed: M3 turns the part clockwise, seen from the headstock along +Z; a tool
-/// that travels towards -Z then cuts a right-handed thread.
+/// Passes a pass of a thread to the caller and keeps its groove for the picture. Left- or right-handed: M3 turns the part clockwise, seen
+/// from the headstock along +Z; a tool that travels towards -Z then cuts a right-handed thread.
 void TurnedCutting::note_thread(const Moved& moved, Vec2 from, Vec2 to) {
   const double side = std::copysign(1.0, from.x), lead = std::fabs(moved.lead);
   if (!(lead > 0) || std::fabs(to.y - from.y) < std::fabs(to.x - from.x)) return;
@@ -276,8 +276,10 @@ void TurnedCutting::note_thread(const Moved& moved, Vec2 from, Vec2 to) {
   groove.left_handed = moved.reversed != (to.y > from.y);
   const bool continues = last_groove_ && last_groove_->to == groove.from && last_groove_->lead == lead;
   groove.start = continues ? last_groove_->start : from.y + lead * moved.start_angle / 360;
+  groove.maker = std::int32_t(moved.use);
   last_groove_ = groove;
-  on_thread({std::move(groove), moved.begins, moved.seconds, moved.origin, result_.tools[moved.use].tool});
+  if (keeps_stages_ && (grooves_.empty() || grooves_.back() != groove)) grooves_.push_back(groove);
+  if (on_thread) on_thread({std::move(groove), moved.begins, moved.seconds, moved.origin, result_.tools[moved.use].tool});
 }
 
 /// Adds what a motion has removed to the figures of its tool and its block.

@@ -38,7 +38,7 @@ struct TurnedJob {
   std::function<ToolOffset(std::uint32_t row)> offset_now;
   TipNumbers tips = TipNumbers::fanuc;  // how this table numbers the tips of turning tools
   bool keeps_areas = false;             // true: the areas of all sweeps are kept, for TurnedCutting::last_at()
-  bool keeps_stages = false;            // true: the part before the work of each tool is kept, for TurnedCutting::stages()
+  bool keeps_stages = false;            // true: the part before the work of each tool and the threads are kept, for stages() and grooves()
 };
 
 class TurnedCutting {
@@ -67,6 +67,8 @@ class TurnedCutting {
   std::optional<double> zero() const { return zero_; }
   /// Returns the part before the work of each tool, in the order of the work. `maker` is the index of the tool in CutResult::tools.
   const std::vector<TurnedStage>& stages() const { return stages_; }
+  /// Returns the grooves of the threads, one for each pass, in the order of the work. `maker` as that of stages().
+  const std::vector<ThreadGroove>& grooves() const { return grooves_; }
   /// Returns the block of the last sweep whose edge passes this point of the part's surface (radius, Z); nullopt if there is none.
   std::optional<Origin> last_at(Vec2 at) const;
 
@@ -163,6 +165,7 @@ class TurnedCutting {
   bool keeps_areas_, keeps_stages_;
   std::vector<std::pair<Origin, TurnedPolygon>> areas_;
   std::vector<TurnedStage> stages_;
+  std::vector<ThreadGroove> grooves_;
   CutResult result_;
 };
 

@@ -29,6 +29,7 @@ struct ThreadGroove {
   /// Returns the radius at which the groove ends at an angle of the part (rad) and a Z: the material between it and the insert's side is
   /// removed. An outer groove that does not reach the place returns a huge radius, an inner one -1.
   double radius(double angle, double z) const;
+  bool operator==(const ThreadGroove&) const = default;
 };
 
 /// Returns the outermost (or innermost) extent of a convex outline at a distance `z` along Z from its tip: the least x for an outer groove,

@@ -9,7 +9,9 @@
 
 #include "stock/turned/edge_distance.h"
 #include "stock/turned/few_corners.h"
+#include "stock/turned/thread_surface.h"
 #include "stock/turned/turned_mesh.h"
+#include "stock/turned/turned_surface.h"
 
 namespace kadr {
 namespace {
@@ -18,6 +20,7 @@ constexpr double on_pictured_surface = 1e-4;  // mm; an edge this near to an ear
 constexpr double pictured_axis = 1e-6;        // mm
 constexpr int least_picture_chords = 240;     // around the axis, so that the shading is smooth; a multiple of 4
 constexpr double most_edge_parts = 2000;      // of an edge
+constexpr int thread_steps = 16;              // samples along Z per lead of a thread
 constexpr double whole_turn = 2 * std::numbers::pi;
 
 bool lies_on_region(Vec2 a, Vec2 b, const TurnedRegion& region) {
@@ -75,14 +78,19 @@ class Revolving {
     }
   }
 
-  /// Adds a trapezoid of the section: between the radii r0 and r1 at the Z `low`, and s0 and s1 at the Z `high`.
-  void section(double low, double r0, double r1, double high, double s0, double s1) {
-    for (const int chord : {first_, chords_}) {
-      const std::uint32_t a = point({r0, low}, chord, of_blank), b = point({r1, low}, chord, of_blank),
-                          c = point({s1, high}, chord, of_blank), d = point({s0, high}, chord, of_blank);
-      const bool flips = chord == chords_;
-      for (const auto& [i, j, k] : {std::array{a, b, c}, std::array{a, c, d}}) flips ? triangle(i, k, j) : triangle(i, j, k);
-    }
+  void thread(const ShownEdge& edge, const ThreadedPart& threaded) {
+    const auto add_point = [this](int chord, double radius, double z, std::int32_t maker) { return point({radius, z}, chord, maker); };
+    add_thread(edge, threaded, {chords_, first_, thread_steps}, add_point,
+               [this](std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangle(a, b, c); });
+  }
+
+  /// Adds a trapezoid of the section at an edge of the missing quarter: between the radii r0 and r1 at the Z `low`, and s0 and s1 at the Z
+  /// `high`. `is_last`: at the last chord of the surface, else at the first one.
+  void section(bool is_last, double low, double r0, double r1, double high, double s0, double s1) {
+    const int chord = is_last ? chords_ : first_;
+    const std::uint32_t a = point({r0, low}, chord, of_blank), b = point({r1, low}, chord, of_blank),
+                        c = point({s1, high}, chord, of_blank), d = point({s0, high}, chord, of_blank);
+    for (const auto& [i, j, k] : {std::array{a, b, c}, std::array{a, c, d}}) is_last ? triangle(i, k, j) : triangle(i, j, k);
   }
 
  private:
@@ -104,32 +112,43 @@ class Revolving {
   int chords_, first_;  // chords of a full turn; the first one that is not cut out
 };
 
-/// Divides the region into trapezoids between the heights of its corners.
-void add_section(const std::vector<Outline>& outlines, Revolving& to) {
+/// Adds a cut face of the missing quarter, divided into trapezoids between the heights of its corners.
+void add_section(const TurnedRegion& face, bool is_last, Revolving& to) {
   std::vector<double> heights;
-  for (const Outline& outline : outlines)
-    for (const Vec2 corner : outline.corners) heights.push_back(corner.y);
+  for (const TurnedPolygon& polygon : face)
+    for (const Vec2 corner : polygon) heights.push_back(corner.y);
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end(), [](double a, double b) { return b - a < on_pictured_surface; }), heights.end());
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
     const double low = heights[i], high = heights[i + 1], middle = 0.5 * (low + high);
     std::vector<std::array<double, 3>> across;  // radii of an edge in the middle, below, above
-    for (const Outline& outline : outlines)
-      for (std::size_t k = 0; k < outline.corners.size(); ++k) {
-        const Vec2 a = outline.corners[k], b = outline.corners[(k + 1) % outline.corners.size()];
+    for (const TurnedPolygon& polygon : face)
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2 a = polygon[k], b = polygon[(k + 1) % polygon.size()];
         if ((a.y > middle) == (b.y > middle)) continue;
         const auto at = [&](double z) { return a.x + (b.x - a.x) * std::clamp((z - a.y) / (b.y - a.y), 0.0, 1.0); };
         across.push_back({at(middle), at(low), at(high)});
       }
     std::sort(across.begin(), across.end());
     for (std::size_t k = 0; k + 1 < across.size(); k += 2)
-      to.section(low, across[k][1], across[k + 1][1], high, across[k][2], across[k + 1][2]);
+      to.section(is_last, low, across[k][1], across[k + 1][1], high, across[k][2], across[k + 1][2]);
   }
+}
+
+/// Adds the surface of an edge, with its threads.
+void add_edge(const ShownEdge& edge, const std::vector<ThreadGroove>& threads, Revolving& to) {
+  const std::optional<ThreadedPart> threaded = threads_on(edge, threads);
+  if (!threaded) return to.edge(edge.a, edge.b, edge.maker);
+  const double first = edge.is_outer() ? threaded->low : threaded->high, last = edge.is_outer() ? threaded->high : threaded->low;
+  if (edge.a.y != first) to.edge(edge.a, {edge.radius(first), first}, edge.maker);
+  to.thread(edge, *threaded);
+  if (edge.b.y != last) to.edge({edge.radius(last), last}, edge.b, edge.maker);
 }
 
 }  // namespace
 
-Surface turned_picture(const TurnedRegion& region, const std::vector<TurnedStage>& stages, double deviation, double longest) {
+Surface turned_picture(const TurnedRegion& region, const std::vector<TurnedStage>& stages, const std::vector<ThreadGroove>& threads,
+                       double deviation, double longest) {
   std::vector<Outline> outlines;
   double widest = 0;
   bool has_bore = false;
@@ -148,8 +167,10 @@ Surface turned_picture(const TurnedRegion& region, const std::vector<TurnedStage
   Revolving revolving(surface, chords, has_bore);
   for (const Outline& outline : outlines)
     for (std::size_t i = 0; i < outline.corners.size(); ++i)
-      revolving.edge(outline.corners[i], outline.corners[(i + 1) % outline.corners.size()], outline.maker[i]);
-  if (has_bore) add_section(outlines, revolving);
+      add_edge({outline.corners[i], outline.corners[(i + 1) % outline.corners.size()], outline.maker[i]}, threads, revolving);
+  if (has_bore)
+    for (const bool is_last : {false, true})
+      add_section(turned_section({region, threads, {}, deviation}, is_last ? 0 : whole_turn / 4), is_last, revolving);
   return surface;
 }
 

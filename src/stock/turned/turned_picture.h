@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stock/surface/surface.h"
+#include "stock/turned/thread_groove.h"
 #include "stock/turned/turned_stock.h"
 
 namespace kadr {
@@ -20,10 +21,12 @@ constexpr Vec3 as_pictured(Vec3 at) { return {at.z, -at.y, at.x}; }
 
 /// Returns the surface as the picture shows it. `made_by` of its points: the tool that cut there last; of_blank on the blank's surface and
 /// in the section. If an edge of the region faces the axis, the quarter between the front and the top is left out, so that the front view
-/// is a half section.
+/// is a half section. Threads are helical grooves.
 ///   stages     in the order of the work
+///   threads    ThreadGroove::maker is the number of the tool
 ///   deviation  greatest distance of the surface from the body, mm
 ///   longest    greatest length of an edge of its outline, mm
-Surface turned_picture(const TurnedRegion& region, const std::vector<TurnedStage>& stages, double deviation, double longest = 1e300);
+Surface turned_picture(const TurnedRegion& region, const std::vector<TurnedStage>& stages, const std::vector<ThreadGroove>& threads,
+                       double deviation, double longest = 1e300);
 
 }  // namespace kadr

@@ -7,12 +7,12 @@
 #include <numbers>
 
 #include "stock/turned/few_corners.h"
+#include "stock/turned/thread_surface.h"
 
 namespace kadr {
 namespace {
 
 constexpr double surface_axis = 1e-6;  // mm; a corner this near to the axis lies on it
-constexpr double least_groove = 1e-3;  // mm; a groove that is shallower is not drawn
 constexpr double straight_angle = std::numbers::pi;
 // rad; at a corner that turns by less the surface is smooth: chords of an arc, within `edge_deviation`
 constexpr double least_turn = 10 * straight_angle / 180;
@@ -20,17 +20,6 @@ constexpr double edge_deviation = 5e-4;                         // mm
 constexpr int fewest_ring_chords = 24, most_ring_chords = 256;  // chords around the axis
 constexpr int finest_steps = 32, coarsest_steps = 6;            // samples along Z per lead of a thread
 constexpr double thread_points = 150'000;                       // about the greatest number of points of all threads
-
-/// An edge of the region with what made it.
-struct ShownEdge {
-  Vec2 a, b;
-  std::int32_t maker = -1;
-
-  bool is_outer() const { return b.y > a.y; }  // the outside is to the right of an edge
-  double radius(double z) const { return a.y == b.y ? a.x : a.x + (b.x - a.x) * (z - a.y) / (b.y - a.y); }
-  double low() const { return std::min(a.y, b.y); }
-  double high() const { return std::max(a.y, b.y); }
-};
 
 using EdgeLoop = std::vector<ShownEdge>;
 
@@ -49,46 +38,6 @@ EdgeLoop shown_edges(const TurnedPolygon& polygon, const TurnedView& part) {
   for (std::size_t k = 0; k < corners.size(); ++k)
     edges.push_back({polygon[corners[k]], polygon[corners[(k + 1) % corners.size()]], makers[corners[k]]});
   return edges;
-}
-
-/// The threads that cut an edge, and the part of the edge that they reach.
-struct ThreadedPart {
-  std::vector<const ThreadGroove*> grooves;
-  double low = 0, high = 0;  // Z, mm
-
-  double pitch() const { return grooves.front()->lead; }
-  /// Returns the radius of the surface at a place of the edge, and who made it.
-  std::pair<double, std::int32_t> at(const ShownEdge& edge, double angle, double z) const {
-    std::pair<double, std::int32_t> result{edge.radius(z), edge.maker};
-    for (const ThreadGroove* const groove : grooves) {
-      const double radius = std::max(groove->radius(angle, z), groove->is_outer ? 0.0 : -1.0);
-      if (groove->is_outer ? radius < result.first - least_groove : radius > result.first + least_groove) result = {radius, groove->maker};
-    }
-    return result;
-  }
-};
-
-/// Returns the threads on an edge; nullopt if there is none. The deepest groove comes first.
-std::optional<ThreadedPart> threads_on(const ShownEdge& edge, const std::vector<ThreadGroove>& threads) {
-  ThreadedPart part;
-  part.low = edge.high(), part.high = edge.low();
-  const auto deeper = [](const ThreadGroove* a, const ThreadGroove* b) {
-    return a->is_outer ? a->from.x + a->to.x < b->from.x + b->to.x : a->from.x + a->to.x > b->from.x + b->to.x;
-  };
-  for (const ThreadGroove& groove : threads) {
-    if (groove.is_outer != edge.is_outer() || edge.a.y == edge.b.y || !(groove.lead > 0)) continue;
-    const Vec2 reach = groove.reach();
-    const double low = std::max(edge.low(), reach.x), high = std::min(edge.high(), reach.y);
-    if (!(low < high)) continue;
-    const double tip = groove.is_outer ? std::min(groove.from.x, groove.to.x) : std::max(groove.from.x, groove.to.x);
-    const double edge_most = std::max(edge.a.x, edge.b.x), edge_least = std::min(edge.a.x, edge.b.x);
-    if (groove.is_outer ? tip > edge_most - least_groove : tip < edge_least + least_groove) continue;
-    part.grooves.push_back(&groove);
-    part.low = std::min(part.low, low), part.high = std::max(part.high, high);
-  }
-  if (part.grooves.empty()) return std::nullopt;
-  std::stable_sort(part.grooves.begin(), part.grooves.end(), deeper);
-  return part;
 }
 
 int ring_chords(double radius, double deviation) {
@@ -123,7 +72,11 @@ class SurfaceMaker {
     const auto corner = [&](double z) { return Vec2{edge.radius(z), z}; };
     const double first = edge.is_outer() ? threaded->low : threaded->high, last = edge.is_outer() ? threaded->high : threaded->low;
     add_cone(edge, edge.a, corner(first));
-    add_thread(edge, *threaded);
+    const auto point = [this](int chord, double radius, double z, std::int32_t maker) {
+      return add_point(2 * straight_angle * chord / chords_, radius, z, maker);
+    };
+    add_thread(edge, *threaded, {chords_, 0, steps_}, point,
+               [this](std::uint32_t i, std::uint32_t j, std::uint32_t k) { add_triangle(i, j, k); });
     add_cone(edge, corner(last), edge.b);
   }
 
@@ -150,32 +103,6 @@ class SurfaceMaker {
       if (a.x > surface_axis) add_triangle(first[0] + k, first[0] + next, first[1] + next);
       if (b.x > surface_axis) add_triangle(first[0] + k, first[1] + next, first[1] + k);
     }
-  }
-
-  /// Adds the helical surface. Its rows follow the helix, so that crests and roots are lines of the mesh; rows beyond the ends lie on the
-  /// ends.
-  void add_thread(const ShownEdge& edge, const ThreadedPart& part) {
-    const ThreadGroove& deepest = *part.grooves.front();
-    const double step = deepest.lead / steps_, hand = deepest.left_handed ? -1 : 1;
-    const int from = int(std::floor((part.low - deepest.start - deepest.lead) / step));
-    const int to = int(std::ceil((part.high - deepest.start + deepest.lead) / step));
-    const auto columns = std::uint32_t(to - from + 1), first = std::uint32_t(made_.point_count());
-    const auto z_of = [&](int k, int j) {
-      return std::clamp(deepest.start + hand * deepest.lead * k / chords_ + j * step, part.low, part.high);
-    };
-    for (int k = 0; k <= chords_; ++k)
-      for (int j = from; j <= to; ++j) {
-        const double z = z_of(k, j), angle = 2 * straight_angle * k / chords_;
-        const auto [radius, maker] = part.at(edge, angle, z);
-        add_point(angle, radius, z, maker);
-      }
-    for (int k = 0; k < chords_; ++k)
-      for (int j = from; j < to; ++j) {
-        const std::uint32_t here = first + std::uint32_t(k) * columns + std::uint32_t(j - from), next = here + columns;
-        const bool outer = edge.is_outer();
-        if (z_of(k, j) != z_of(k, j + 1)) outer ? add_triangle(here, next, here + 1) : add_triangle(here, here + 1, next);
-        if (z_of(k + 1, j) != z_of(k + 1, j + 1)) outer ? add_triangle(next, next + 1, here + 1) : add_triangle(next, here + 1, next + 1);
-      }
   }
 
   const TurnedView& part_;
