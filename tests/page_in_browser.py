@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Tests what a user does on the page of kadr serve, in a real browser (web/e2e/page.mjs, Chromium). Skipped with a message without Chromium
-or a built page.
+or a built page. GROUP names the group of steps; without it all run, one after the other.
 
-    page_in_browser.py --kadr PROGRAM
+    page_in_browser.py --kadr PROGRAM [--group GROUP]
 """
 import os
 import shutil
@@ -12,11 +12,14 @@ from pathlib import Path
 
 import harness
 
-most_seconds = 850  # for one round, which takes some 100 s on two idle cores
+most_seconds = 850  # for one round of a group, which takes some 50 s on two idle cores
 
 
 def main():
-    kadr = Path(harness.kadr_of(__doc__)).resolve()
+    parser = harness.arguments(__doc__)
+    parser.add_argument('--group', default='')
+    options = harness.parsed(parser)
+    kadr = Path(options.kadr).resolve()
     web = kadr.parent / 'web'
     chromium = os.environ.get('CHROMIUM') or shutil.which('chromium') or shutil.which('chromium-browser')
     missing = ('there is no chromium (dev/setup installs it)' if not chromium
@@ -27,7 +30,7 @@ def main():
         print('0 passed, 0 failed')
         return 0
     with tempfile.TemporaryDirectory(prefix='kadr-page-') as pictures:
-        place = {**os.environ, 'KADR': str(kadr), 'CHROMIUM': chromium}
+        place = {**os.environ, 'GROUP': options.group, 'KADR': str(kadr), 'CHROMIUM': chromium}
         command = ['node', 'e2e/page.mjs', str(harness.ROOT / 'examples'), pictures]
         for again in (True, False):  # software rendering on a busy machine can fail once by itself; two failures are a fault of the page
             try:

@@ -1,6 +1,6 @@
-// What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server. Exit
-// status 1 if a step fails. Waits are for conditions, with long limits: a busy machine is slow, not wrong. Steps that
-// the server does not support are skipped with a message.
+// What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server, GROUP=…
+// for one group of steps, STEPS=… for the steps of these names. Exit status 1 if a step fails. Waits are for conditions,
+// with long limits: a busy machine is slow, not wrong. Steps that the server does not support are skipped with a message.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -29,12 +29,15 @@ const { count, text, ended, toasts, line_shown } = looks_at(() => page);
 const { now, not_served, click_line, find_motion } = hands_on(page);
 
 const only = process.env.STEPS; // parts of step names, separated by |: only these steps run
-const steps = {
+const wanted = process.env.GROUP; // the name of a group of steps: only its steps run
+const first = {
   async "opens, and takes the token out of the address"() {
     await page.goto(kadr.address());
     await until("files", () => count(".file-row"));
     must(!page.url().includes("token"), "the token is still in the address");
   },
+};
+const main_steps = {
   async "runs an example to its end"() {
     for (const name of kadr.path) {
       const row = page.locator(".file-row", { has: page.locator(`.file-name:text-is("${name}")`) });
@@ -178,16 +181,27 @@ const steps = {
     await page.keyboard.press("Escape");
     await page.keyboard.press("F6");
   },
-  ...rotary_steps({ kadr, page, pictures, only }),
-  ...text_steps({ kadr, page, pictures, only }),
-  ...figure_steps({ kadr, page, pictures, only }),
-  ...lathe_steps({ kadr, page, pictures, only }),
-  ...list_steps({ kadr, page, pictures, examples, only }),
-  ...panel_steps({ kadr, page, pictures, only }),
-  ...making_steps({ kadr, page, pictures }),
-  ...convert_steps({ kadr, page, pictures }),
-  ...finger_steps({ kadr, browser: page.context().browser(), pictures }),
 };
+const alone = only || (wanted && wanted !== "view"); // no program is open when a group begins
+const place = { kadr, page, pictures, examples, only: alone };
+// Each group runs alone, in a browser of its own (tests/page_in_browser.py), or all of them in this order. The build reads
+// this line: each name is a test.
+const group_names = ["view", "text", "figures", "panel", "making"];
+const groups = {
+  view: { ...main_steps, ...rotary_steps({ kadr, page, pictures, only }) },
+  text: text_steps(place),
+  figures: { ...figure_steps(place), ...lathe_steps(place) },
+  panel: { ...list_steps(place), ...panel_steps(place) },
+  making: {
+    ...making_steps(place),
+    ...convert_steps(place),
+    ...finger_steps({ kadr, browser: page.context().browser(), pictures }),
+  },
+};
+must(String(Object.keys(groups)) === String(group_names), "group_names does not name the groups");
+const chosen = Object.entries(groups).filter(([name]) => !wanted || name === wanted);
+if (!chosen.length) throw new Error(`no group ${wanted}: ${Object.keys(groups).join(", ")}`);
+const steps = Object.assign({}, first, ...chosen.map(([, of_group]) => of_group));
 
 let passed = 0,
   failed = 0,
