@@ -21,7 +21,8 @@ from page_client.client import PROGRAM, SCHEMA, Page, Server, expect, result, se
 # Messages that other tests cover.
 UNSAID = {'event.closed'} | {f'{side}.{do}' for side in ('question', 'answer')
                              for do in ('machines', 'machine', 'panel', 'machine_source', 'press', 'switches', 'enter', 'undo', 'jog', 'stops', 'answer', 'watch', 'restart', 'go_there', 'lead',
-                                        'tables', 'edit', 'keep_tables', 'shift', 'mill', 'tape', 'convert')}  # tests/panel*.py, tests/serve_making.py, tests/serve_convert.py send them
+                                        'tables', 'edit', 'keep_tables', 'shift', 'mill', 'tape', 'convert',
+                                        'setup_form', 'keep_setup')}  # tests/panel*.py, tests/serve_making.py, tests/serve_convert.py, tests/serve_setup.py send them
 
 
 def http(server):

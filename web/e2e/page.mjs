@@ -11,6 +11,7 @@ import { finger_steps, panel_steps } from "./panel_steps.mjs";
 import { hands_on } from "./hands.mjs";
 import { keep_steps } from "./keep_steps.mjs";
 import { part_steps } from "./part_steps.mjs";
+import { setup_steps } from "./setup_steps.mjs";
 import { rotary_steps } from "./rotary_steps.mjs";
 import { view_steps } from "./view_steps.mjs";
 import { figure_steps } from "./figure_steps.mjs";
@@ -186,11 +187,12 @@ const alone = only || (wanted && wanted !== "view"); // no program is open when 
 const place = { kadr, page, pictures, examples, only: alone };
 // Each group runs alone, in a browser of its own (tests/page_in_browser.py), or all of them in this order. The build reads
 // this line: each name is a test.
-const group_names = ["view", "text", "figures", "panel", "making"];
+const group_names = ["view", "text", "figures", "setup", "panel", "making"];
 const groups = {
   view: { ...main_steps, ...rotary_steps({ kadr, page, pictures, only }) },
   text: text_steps(place),
   figures: { ...figure_steps(place), ...lathe_steps(place) },
+  setup: setup_steps(place),
   panel: { ...list_steps(place), ...panel_steps(place) },
   making: {
     ...making_steps(place),

@@ -1,7 +1,7 @@
 // The server under test: KADR names the program, and a copy of its examples is served. Without KADR the mock session
 // answers. DIST: a built page that replaces the one inside the program.
 import { spawn } from "node:child_process";
-import { appendFileSync, cpSync, existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { appendFileSync, cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -96,6 +96,8 @@ export async function real(kadr, examples) {
   return {
     address: () => address,
     prepare: (page) => page_from(page, process.env.DIST),
+    put: (name, text) => writeFileSync(join(folder, name), text),
+    got: (name) => readFileSync(join(folder, name), "utf8"),
     path: ["cut", "plate.nc"],
     line: "N60 G777 Z0",
     before: "N60 G1 Z0 F400",

@@ -5,6 +5,7 @@ import "./style/panes.css";
 import "./style/scene_pane.css";
 import "./style/lists.css";
 import "./style/cut.css";
+import "./style/setup.css";
 import "./style/timeline.css";
 import "./style/operator.css";
 import "./style/workshop.css";
@@ -21,6 +22,7 @@ import type { Socket } from "./protocol/client";
 import type { Problem } from "./protocol/types";
 import type { SceneBox } from "./scene/scene";
 import { of_program } from "./source/problems_of";
+import { SetupPanel } from "./setup/setup_panel";
 import { SourcePane } from "./source/pane";
 import { editor_view } from "./source/editor";
 import { apply_fix } from "./source/problems";
@@ -89,6 +91,7 @@ const operator_panel = new OperatorPanel(
 const tabs = new Tabs([
   { name: "problems", element: problems.element, badge: () => problems.badge() },
   { name: "summary", element: new SummaryPanel(app).element },
+  { name: "setup_tab", element: new SetupPanel(app, (line) => source.show(line)).element, whole: () => true },
   { name: "cut_tab", element: cut.element, badge: () => cut.badge() },
   {
     name: "panel",
@@ -121,6 +124,7 @@ const top = new Topbar(app, {
   },
   sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
   compare: () => show_compare(app, { begin: () => scene?.clearPath(1), line: (n) => void go_to_line(n, 0) }),
+  setup: () => tabs.choose("setup_tab"),
   help: show_help,
   operator: () => mode.set(true),
   theme: (dark) => scene?.setTheme(dark),

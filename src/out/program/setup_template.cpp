@@ -1,9 +1,9 @@
-// Writes a set-up for the user to complete, as readable JSON with one line for each table row. This file is used by cli/setup_command.
+// Writes set-ups as readable JSON with one line for each table row. This file is used by cli/setup_command and view/page/page_setup.
 
 #include "out/program/setup_template.h"
 
-#include <fmt/core.h>
-
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "config/alarm_texts.h"
@@ -11,50 +11,74 @@
 namespace kadr {
 namespace {
 
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
-
-std::string value_text(const std::optional<double>& value) { return value ? number_text(*value) : "null"; }
-
+using Json = nlohmann::ordered_json;
 using Cells = std::vector<std::pair<std::string, std::optional<double>>>;
 
-std::string cells_text(const Cells& cells) {
+constexpr double largest_whole = 1e15;  // greatest whole number that is written without an exponent
+
+/// Writes a value on one line, with a space after each comma and colon.
+std::string inline_text(const Json& value) {
+  if (value.is_number_float() && std::fabs(value.get<double>()) < largest_whole) return number_text(value.get<double>());
+  if (!value.is_structured()) return value.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text;
-  for (const auto& [key, value] : cells) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", quoted(key), value_text(value));
-  return "{" + text + "}";
+  for (const auto& [key, one] : value.items()) {
+    if (!text.empty()) text += ", ";
+    if (value.is_object()) text += Json(key).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
+    text += inline_text(one);
+  }
+  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
-std::string rows_text(const std::vector<SetupTemplate::Row>& rows) {
+/// True if the elements of the value are written on a line each: tables of rows, and lists of texts.
+bool has_lines(const Json& value) {
+  if (!value.is_structured() || value.empty()) return false;
+  return std::all_of(value.begin(), value.end(), [&](const Json& one) { return value.is_object() ? one.is_object() : one.is_string(); });
+}
+
+std::string value_text(const Json& value) {
+  if (!has_lines(value)) return inline_text(value);
   std::string text;
-  for (const SetupTemplate::Row& row : rows)
-    text += fmt::format("{}    {}: {}", text.empty() ? "" : ",\n", quoted(row.name), cells_text(row.cells));
-  return "{\n" + text + "\n  }";
+  for (const auto& [key, one] : value.items()) {
+    text += text.empty() ? "    " : ",\n    ";
+    if (value.is_object()) text += Json(key).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
+    text += inline_text(one);
+  }
+  return (value.is_object() ? "{\n" : "[\n") + text + (value.is_object() ? "\n  }" : "\n  ]");
+}
+
+Json cells_json(const Cells& cells) {
+  Json json = Json::object();
+  for (const auto& [key, value] : cells) json[key] = value ? Json(*value) : Json();
+  return json;
+}
+
+Json rows_json(const std::vector<SetupTemplate::Row>& rows) {
+  Json json = Json::object();
+  for (const SetupTemplate::Row& row : rows) json[row.name] = cells_json(row.cells);
+  return json;
 }
 
 }  // namespace
 
-std::string template_text(const SetupTemplate& setup) {
-  std::vector<std::string> parts;
-  const auto table = [&](const char* key, const std::vector<SetupTemplate::Row>& rows) {
-    if (!rows.empty()) parts.push_back(fmt::format("  \"{}\": {}", key, rows_text(rows)));
-  };
-  const auto list = [&](const char* key, const Cells& cells) {
-    if (!cells.empty()) parts.push_back(fmt::format("  \"{}\": {}", key, cells_text(cells)));
-  };
-  table("offsets", setup.offsets);
-  table("work_offsets", setup.work_offsets);
-  table("zeros", setup.zeros);
-  list("correctors", setup.correctors);
-  list("variables", setup.variables);
-  if (setup.has_skip) parts.emplace_back("  \"skip\": []");
-  if (setup.has_optional_stop) parts.emplace_back("  \"optional_stop\": false");
-  if (!setup.notes.empty()) {
-    std::string notes;
-    for (const std::string& note : setup.notes) notes += (notes.empty() ? "    " : ",\n    ") + quoted(note);
-    parts.push_back(fmt::format("  \"notes\": [\n{}\n  ]", notes));
-  }
+std::string setup_text(const nlohmann::ordered_json& setup) {
   std::string text = "{\n";
-  for (std::size_t i = 0; i < parts.size(); ++i) text += parts[i] + (i + 1 < parts.size() ? ",\n" : "\n");
+  std::size_t left = setup.size();
+  for (const auto& [key, value] : setup.items())
+    text += "  " + Json(key).dump(-1, ' ', false, Json::error_handler_t::replace) + ": " + value_text(value) + (--left > 0 ? ",\n" : "\n");
   return text + "}\n";
+}
+
+std::string template_text(const SetupTemplate& setup) {
+  Json json = Json::object();
+  if (!setup.offsets.empty()) json["offsets"] = rows_json(setup.offsets);
+  if (!setup.work_offsets.empty()) json["work_offsets"] = rows_json(setup.work_offsets);
+  if (!setup.zeros.empty()) json["zeros"] = rows_json(setup.zeros);
+  if (!setup.correctors.empty()) json["correctors"] = cells_json(setup.correctors);
+  if (!setup.variables.empty()) json["variables"] = cells_json(setup.variables);
+  if (setup.has_skip) json["skip"] = Json::array();
+  if (setup.has_optional_stop) json["optional_stop"] = false;
+  if (!setup.notes.empty()) json["notes"] = setup.notes;
+  return setup_text(json);
 }
 
 }  // namespace kadr

@@ -1,7 +1,7 @@
 #pragma once
-// Writes a set-up for the user to complete, as readable JSON with one line for each table row.
+// Writes set-ups as readable JSON with one line for each table row: one for the user to complete, or one that the page has changed.
 
-#include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,5 +21,9 @@ struct SetupTemplate {
 };
 
 std::string template_text(const SetupTemplate& setup);
+
+/// Writes a set-up file: a line for each row of a table and for each note, a line for any other key.
+///   setup  an object; its keys are written in their order
+std::string setup_text(const nlohmann::ordered_json& setup);
 
 }  // namespace kadr

@@ -76,6 +76,10 @@ struct PageSession::Inside {
   Answer part(const PageJson& question);
   Answer proposals(const PageJson& question);
   void cut_part();
+  // ---- requests that are answered in page_setup.cpp
+  Answer setup_form(const PageJson& question);
+  Answer keep_setup(const PageJson& question);
+  std::optional<FileText> setup_file(const std::string& file) const;
   // ---- requests that are answered in page_sheet.cpp
   Answer sheet(const PageJson& question);
   // ---- requests that are answered in page_compare.cpp

@@ -23,6 +23,7 @@ import type {
   Tables,
   WayPoint,
 } from "./types/panel";
+import type { SetupForm } from "./types/setup";
 import type {
   Checked,
   Done,
@@ -42,6 +43,7 @@ export type * from "./types/program";
 export type * from "./types/cut";
 export type * from "./types/panel";
 export type * from "./types/making";
+export type * from "./types/setup";
 
 export interface Questions {
   hello: [{ token?: string; lang: Language }, Hello];
@@ -57,6 +59,8 @@ export interface Questions {
   part: [{ at: number }, PartAnswer];
   proposals: [{ tools?: string }, Proposals];
   sheet: [object, Sheet];
+  setup_form: [object, SetupForm];
+  keep_setup: [{ file: string; digest: string | null; values: JsonTable }, { digest: string }];
   read: [{ file: string }, { text: string; digest: string; encoding: string }];
   compare: [{ file?: string; text?: string; control?: string; tolerance?: number }, Compared];
   save: [{ file: string; digest: string | null } & ({ text: string } | { bytes: string }), { digest: string }];

@@ -6,6 +6,7 @@ import { operator_en } from "./en/operator";
 import { panel_en } from "./en/panel";
 import { report_en } from "./en/report";
 import { restart_en } from "./en/restart";
+import { setup_en } from "./en/setup";
 import { state_en } from "./en/state";
 import { tables_en } from "./en/tables";
 import { view_en } from "./en/view";
@@ -16,6 +17,7 @@ export const en = {
   ...state_en,
   ...cut_en,
   ...tables_en,
+  ...setup_en,
   ...restart_en,
   ...panel_en,
   ...operator_en,

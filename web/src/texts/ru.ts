@@ -6,6 +6,7 @@ import { operator_ru } from "./ru/operator";
 import { panel_ru } from "./ru/panel";
 import { report_ru } from "./ru/report";
 import { restart_ru } from "./ru/restart";
+import { setup_ru } from "./ru/setup";
 import { state_ru } from "./ru/state";
 import { tables_ru } from "./ru/tables";
 import { view_ru } from "./ru/view";
@@ -17,6 +18,7 @@ export const ru: Record<TextKey, string> = {
   ...state_ru,
   ...cut_ru,
   ...tables_ru,
+  ...setup_ru,
   ...restart_ru,
   ...panel_ru,
   ...operator_ru,

@@ -2,6 +2,7 @@
 import type { App } from "../model/app";
 import { remember, remembered } from "../model/memory";
 import { choose_unit, unit } from "../model/units";
+import { SetupChoice } from "../setup/setup_choice";
 import { language, on_language, set_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { clock, short } from "./figures";
@@ -12,6 +13,7 @@ export interface TopbarVerbs {
   files?(): void;
   sheet(): void;
   compare?(): void;
+  setup?(): void;
   licences?(): void;
   help(): void;
   operator?(): void;
@@ -24,11 +26,13 @@ export class Topbar {
   private told = h("span", { class: "run-told" });
   private dark = remembered("dark", matchMedia("(prefers-color-scheme: dark)").matches);
   private shop = remembered("shop", false);
+  private setup_choice: SetupChoice | null;
 
   constructor(
     private app: App,
     private verbs: TopbarVerbs,
   ) {
+    this.setup_choice = verbs.files ? new SetupChoice(app, () => verbs.setup?.()) : null;
     const draw = (): void => this.draw();
     app.on_opened.on(draw);
     app.on_opening.on(draw);
@@ -120,21 +124,13 @@ export class Topbar {
         option(m, m, m === o.machine),
       ),
     );
-    const setup = h("input", {
-      value: o.setup ?? "",
-      placeholder: t("no_setup"),
-      "aria-label": t("setup"),
-      title: t("setup"),
-      size: "9",
-      onchange: () => void app.run_again({ ...app.choice, setup: setup.value || undefined }),
-    });
     return h(
       "span",
       { class: "choices" },
       controls,
       o.control.guessed && h("span", { class: "guessed", title: o.control.why ?? "" }, t("guessed")),
       machines,
-      setup,
+      this.setup_choice?.element(),
     );
   }
 
