@@ -3,6 +3,7 @@
 
 #include "action.h"   // Action: one thing that a program makes the machine do, as a value
 #include "alarm.h"    // alarms and their texts
+#include "check.h"    // everything that kadr check finds
 #include "config.h"   // controls, machines, set-ups
 #include "control.h"  // Control: blocks → actions
 #include "program.h"  // open_file, text_source

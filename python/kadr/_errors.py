@@ -12,7 +12,7 @@ class Finding:
     id: str
     """Name of the fault, the same in every language: ``radius_mismatch``."""
     severity: str
-    """``alarm``, ``warning`` or ``note``."""
+    """``alarm``, ``warning``, ``note`` or ``advice``."""
     text: str
     hint: str
     """What to do about it; may be empty."""

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 
+#include "file_check.h"
 #include "run.h"
 #include "views.h"
 
@@ -21,7 +22,13 @@ py::object text_of(const std::string& bytes) {  // a file name may contain any b
 }
 
 const char* severity_of(const Finding& finding) {
-  return finding.severity == Severity::alarm ? "alarm" : finding.severity == Severity::warning ? "warning" : "note";
+  switch (finding.severity) {
+    case Severity::alarm: return "alarm";
+    case Severity::warning: return "warning";
+    case Severity::advice: return "advice";
+    case Severity::note: break;
+  }
+  return "note";
 }
 
 py::dict dict_of(const Finding& f) {
@@ -95,6 +102,17 @@ void add_spec(py::module_& module) {
              }
              return list_of(found);
            })
+      .def("check_file",
+           [](const ProgramSpec& spec) {
+             FileCheck checked;
+             {
+               const py::gil_scoped_release released;
+               checked = check_file(spec);
+             }
+             py::list files;
+             for (const std::string& file : checked.files) files.append(text_of(file));
+             return py::make_tuple(list_of(checked.findings), files);
+           })
       .def("picture",
            [](const ProgramSpec& spec, const std::string& kind) {
              std::string made;
@@ -161,6 +179,10 @@ PYBIND11_MODULE(_kadr, module) {
   py::register_exception_translator(&translate);
   module.def("controls", &kadr::built_in_controls);
   module.def("machines", &kadr::built_in_machines);
+  module.def(
+      "remembered_control", [](const py::bytes& file) { return remembered_control(file); }, "file"_a);
+  module.def(
+      "name_verdict", [](const py::bytes& name) { return name_verdict(name); }, "name"_a);
   add_spec(module);
   add_run(module);
 }

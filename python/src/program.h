@@ -5,6 +5,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "failures.h"
@@ -31,16 +32,22 @@ class ProgramSpec {
   ///   stop    the session ends when this flag is set; must outlive the session
   ///   throws  Failed, FileFailed
   std::unique_ptr<Session> open(const std::atomic<bool>& stop, RunLimits limits = {}) const;
+  /// The same for one program of a tape with several programs.
+  std::unique_ptr<Session> open(const std::atomic<bool>& stop, RunLimits limits, std::size_t program) const;
+  /// Returns the number of programs in the file; 1 unless it is a tape with several programs.
+  std::size_t count_programs() const;
 
   const ControlDef& control() const { return *control_; }
   const MachineProfile& machine() const { return machine_; }
   const std::string& file() const { return file_; }
   Lang lang() const { return lang_; }
-  Finding finding(const AlarmReport& report) const { return finding_of(report, texts_, lang_); }
+  const std::set<std::string>& stated() const { return stated_; }  // the keys that the set-up states
+  Finding finding(const AlarmReport& report) const { return finding_of(report, *texts_, lang_); }
 
  private:
   std::unique_ptr<ByteSource> source() const;
-  Setup setup_of(const ProgramRequest& request) const;
+  Setup setup_of(const ProgramRequest& request);
+  std::unique_ptr<Session> open(OpenedText text, const std::atomic<bool>& stop, RunLimits limits) const;
 
   std::string file_;
   std::optional<std::string> text_;
@@ -48,7 +55,8 @@ class ProgramSpec {
   std::shared_ptr<const ControlDef> control_;
   MachineProfile machine_;
   Setup setup_;
-  AlarmTexts texts_;
+  std::set<std::string> stated_;
+  std::shared_ptr<const AlarmTexts> texts_;
 };
 
 /// Returns a clock that times the motions of a channel by programmed feeds.

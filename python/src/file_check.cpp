@@ -1,0 +1,62 @@
+// Checks a file as `kadr check` does. Used by module.cpp; tested by tests/archive.py and tests/python_binding.py.
+
+#include "file_check.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "interrupt.h"
+
+namespace kadr::python {
+namespace {
+
+/// Adds the files that the session has read to a list without repetitions. The first file of a channel is its program.
+void add_files(const Session& session, const std::string& own, std::vector<std::string>& files) {
+  for (const Channel& channel : session.channels())
+    for (const std::string& file : channel.control->files_read())
+      if (file != own && std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+}
+
+}  // namespace
+
+FileCheck check_file(const ProgramSpec& spec) {
+  FileCheck checked;
+  const std::size_t programs = spec.count_programs();
+  ChecklistBasis basis{tool_table_next_to(spec.file()), programs == 1, programs == 1};
+  basis.own_tools = programs == 1 && basis.tools && basis.tools->kind == ToolTable::Kind::own;
+  std::atomic<bool> stop = false;
+  ProgramCheck check({.stated = spec.stated(), .basis = basis, .stop = StopToken(stop)}, [&](std::size_t, const AlarmReport& report) {
+    checked.findings.push_back(spec.finding(report));
+    return true;
+  });
+  RunLimits limits;
+  limits.restarts = 0;
+  const CatchInterrupt interrupt(stop);
+  for (std::size_t i = 0; i < programs && !stop; ++i) {
+    const auto session = spec.open(stop, limits, i);
+    check.check(*session);
+    add_files(*session, spec.file(), checked.files);
+  }
+  if (stop) throw Interrupted{};
+  return checked;
+}
+
+std::string remembered_control(const std::string& file) {
+  std::string fault;
+  RememberedControls remembered([&](const std::string& why) { fault = why; });
+  std::string control = remembered.of(file);
+  if (!fault.empty()) throw Failed{fault};
+  return control;
+}
+
+std::string name_verdict(const std::string& name) {
+  switch (judge_name(name)) {
+    case NameVerdict::program: return "program";
+    case NameVerdict::nothing: return "nothing";
+    case NameVerdict::other: break;
+  }
+  return "other";
+}
+
+}  // namespace kadr::python

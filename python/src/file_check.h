@@ -1,0 +1,27 @@
+#pragma once
+// Checks a file as `kadr check` does: all programs of a tape, the checklist, the values that the set-up does not state.
+
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace kadr::python {
+
+struct FileCheck {
+  std::vector<Finding> findings;   // in the order in which the check meets them
+  std::vector<std::string> files;  // the files that the programs have called; the file itself is not listed
+};
+
+/// Returns everything that `kadr check` finds in the file, each finding once. Tools files next to the program are read as there.
+///   throws  Interrupted, Failed, FileFailed
+FileCheck check_file(const ProgramSpec& spec);
+
+/// Returns the control that .kadr.toml in the program's folder, or in a folder above it, remembers; empty if there is none.
+///   throws  Failed, if a .kadr.toml has a fault
+std::string remembered_control(const std::string& file);
+
+/// Judges a file by its name as `kadr check` does for the files of a folder: "program", "nothing" (the contents decide), "other".
+std::string name_verdict(const std::string& name);
+
+}  // namespace kadr::python

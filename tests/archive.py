@@ -1,0 +1,398 @@
+#!/usr/bin/env python3
+"""Tests kadr-archive (docs/archive.md): every result is that of the program kadr; nothing is done twice; a kill loses, doubles and changes
+nothing; hostile programs cost only themselves; report, CSV, difference and conversion.
+
+    archive.py --kadr build/release/kadr [--only NAME]
+
+KADR_ARCHIVE_KILLS: how many random kills (12; docs/archive.md names the count of the figures).
+Prints a line per failure, then `N passed, N failed`. Exit status: 0 all passed or skipped, 1 some failed, 2 wrong usage.
+"""
+import csv
+import io
+import json
+import os
+import random
+import re
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+import harness
+from harness import ROOT, expect, until
+
+PYTHON = '/usr/bin/python3' if Path('/usr/bin/python3').exists() else sys.executable   # the interpreter that the binding is built for
+SLOW = '+SIN[#1]*COS[#1]' * 60   # Kadr ends an endless program by itself after 20,000,000 blocks: minutes, with this
+ENDLESS = f'%\nO1\n#1=0\nN1 #1=#1{SLOW}+1\nGOTO1\nM30\n%\n'
+GOOD = 'G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX{}\nG0 Z5\nM2\n'
+WRONG = 'G21 G90\nG0 X0 Y0\nG1 X{} F100\nG2 X5 Y5 I90 J0\nM2\n'
+
+
+class Archive(harness.Kadr):
+    """kadr-archive, with the program under test as kadr."""
+
+    def environment(self):
+        path = Path(os.environ.get('KADR_ARCHIVE_PYTHON') or Path(self.program).parent / 'python')
+        clean = {name: value for name, value in os.environ.items() if not name.startswith(('PYTHON', 'LC_', 'LANG'))}
+        return {**clean, 'PYTHONPATH': str(path), 'PYTHONDONTWRITEBYTECODE': '1', 'KADR': self.program, 'LANG': 'C'}
+
+    def archive(self, *words, expected=0):
+        done = subprocess.run([PYTHON, '-m', 'kadr_archive', *map(str, words)], cwd=self.folder, env=self.environment(), capture_output=True,
+                              encoding='utf-8', errors='replace', timeout=600, stdin=subprocess.DEVNULL, check=False)
+        expect(done.returncode == expected, f'{" ".join(map(str, words))}: exit status {done.returncode}, expected {expected}; {done.stdout[-800:]}{done.stderr[-1500:]}')
+        return done
+
+    def begin(self, *words):
+        self.started.append(subprocess.Popen([PYTHON, '-m', 'kadr_archive', *map(str, words)], cwd=self.folder, env=self.environment(),
+                                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL))
+        return self.started[-1]
+
+    def db(self, query, *values, file='a.sqlite'):
+        db = sqlite3.connect(self.folder / file)
+        try:
+            return db.execute(query, values).fetchall()
+        finally:
+            db.close()
+
+    def made_now(self, done):
+        """Returns how many programs a run has worked on."""
+        return int(re.search(r'(\d+) worked on now', done.stdout)[1])
+
+    def everything(self, file='a.sqlite'):
+        """Returns all results with their findings, in an order that does not depend on who computed them first."""
+        results = self.db('SELECT result, hex(content), asked, hex(memory), control, state, alarms, warnings, advices, reason, seconds, summary, output FROM results'
+                          ' ORDER BY content, asked, memory', file=file)
+        return [(*row[1:], tuple(self.db('SELECT * FROM findings WHERE result = ? ORDER BY number', row[0], file=file)[i][1:]
+                                 for i in range(len(self.db('SELECT 1 FROM findings WHERE result = ?', row[0], file=file)))),
+                 tuple(self.db('SELECT tool, cutting FROM tools WHERE result = ? ORDER BY tool', row[0], file=file))) for row in results]
+
+
+def children_of(pid):
+    """Returns the processes that a process has started."""
+    found = []
+    for task in Path(f'/proc/{pid}/task').glob('*/children'):
+        try:
+            found += [int(word) for word in task.read_text().split()]
+        except OSError:
+            pass
+    return found
+
+
+def some_programs(kadr, folder, count):
+    """Writes programs of several kinds: correct ones, and ones with an error."""
+    for i in range(count):
+        kadr.file(f'{folder}/{i % 7}/p{i}.ngc', (WRONG if i % 3 == 0 else GOOD).format(i + 1))
+
+
+def check_each_result_is_that_of_kadr(kadr):
+    shutil.copytree(ROOT / 'examples', kadr.folder / 'a')
+    kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)
+    rows = kadr.db('SELECT folder, name, control, state, result FROM present WHERE fault IS NULL')
+    expect(len(rows) > 60, f'{len(rows)} programs')
+    for folder, name, control, state, result in rows:
+        if state == 'unknown':
+            continue
+        theirs = json.loads(kadr.call('check', f'a/{folder}{name}', '--control', control, '--format', 'json', '-q', '--lang', 'en').stdout)
+        ours = kadr.db('SELECT severity, id, line, "column", block, alarm, text, hint FROM findings WHERE result = ? ORDER BY number', result)
+        wanted = [(f['severity'], f['id'], f['line'], f['column'], f['block'] or '', str(f['number'] or ''), f['text'], f['hint']) for f in theirs]
+        expect([row[:4] for row in ours] == [row[:4] for row in wanted], f'{folder}{name}: {ours} instead of {wanted}')
+        expect([row[6:] for row in ours] == [row[6:] for row in wanted] or f'a/{folder}' in str(wanted), f'{folder}{name}: texts {ours} instead of {wanted}')
+
+
+def check_nothing_is_done_twice(kadr):
+    some_programs(kadr, 'a', 30)
+    kadr.file('a/copy.ngc', GOOD.format(2))   # the same content as p1.ngc
+    first = kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)
+    expect(kadr.made_now(first) == 30, first.stdout)
+    expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)) == 0, 'done twice')
+    kadr.file('a/0/p0.ngc', GOOD.format(500))
+    os.utime(kadr.folder / 'a/1/p1.ngc')        # touched, not changed
+    (kadr.folder / 'a/2/p2.ngc').rename(kadr.folder / 'a/moved.ngc')
+    expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)) == 1, 'more than the changed program')
+    expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)) == 30, 'another control is another result')
+    expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', '--machine', 'mach3-router', expected=1)) == 30, 'another machine is another result')
+    kadr.file('setup.json', '{"work_offsets": {"G54": {"X": 100}}}')
+    expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', '--setup', 'setup.json', expected=1)) == 30, 'another set-up')
+
+
+def check_called_programs_decide(kadr):
+    main = '%\nO1\nG21 G90\nG0 X0 Z5\nM98 P9010\nM30\n%\n'
+    kadr.file('a/x/O1.nc', main)
+    kadr.file('a/y/O1.nc', main)
+    kadr.file('a/y/O9010.nc', '%\nO9010\nG1 X5 F100\nM99\n%\n')
+    command = ('check', 'a', '--db', 'a.sqlite', '--control', 'fanuc')
+    kadr.archive(*command, expected=1)
+    states = "SELECT folder, state FROM present WHERE name = 'O1.nc' ORDER BY folder"
+    expect(kadr.db(states) == [('x/', 'alarm'), ('y/', 'ok')], kadr.db(states))
+    kadr.file('a/x/O9010.nc', '%\nO9010\nG1 X7 F100\nM99\n%\n')
+    kadr.file('a/y/O9010.nc', '%\nO9010\nG1 X5 F100 G777\nM99\n%\n')
+    kadr.archive(*command, expected=1)
+    expect(kadr.db(states) == [('x/', 'ok'), ('y/', 'alarm')], kadr.db(states))
+
+
+def check_exit_status(kadr):
+    kadr.file('good/p.ngc', GOOD.format(1))
+    three = (ROOT / 'examples/docs/three_findings.nc').read_text(encoding='utf-8').splitlines()
+    kadr.file('warned/p.nc', '\n'.join([*three[:3], 'N5 M2 ПС']) + '\n')   # without the two errors
+    kadr.file('text/readme.txt', 'Nothing but a text\nof two lines.\n')
+    kadr.archive('check', 'good', '--db', 'a.sqlite', '--control', 'linuxcnc')
+    kadr.archive('check', 'good', '--db', 'a.sqlite', '--control', 'linuxcnc', '--strict')
+    counts = kadr.archive('check', 'warned', '--db', 'b.sqlite', '--control', 's2c42')
+    expect('with warnings 1' in counts.stdout, counts.stdout)
+    kadr.archive('check', 'warned', '--db', 'b.sqlite', '--control', 's2c42', '--strict', expected=1)
+    kadr.archive('check', 'text', '--db', 'c.sqlite', expected=2)
+    kadr.archive('check', 'missing', '--db', 'c.sqlite', expected=2)
+    kadr.archive('check', 'good', '--db', 'c.sqlite', '--control', 'sinumerik', expected=2)
+    kadr.file('d.sqlite', 'no database at all, but a text that is long enough to be read as one')
+    kadr.archive('check', 'good', '--db', 'd.sqlite', expected=2)
+    if os.getuid() != 0:
+        kadr.file('good/q.ngc', GOOD.format(2)).chmod(0)
+        kadr.archive('check', 'good', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=2)
+
+
+def check_zip_and_list(kadr):
+    some_programs(kadr, 'a', 12)
+    kadr.file('a/x/O1.nc', '%\nO1\nG21 G90\nG0 X0 Z5\nM98 P9010\nM30\n%\n')
+    kadr.file('a/x/O9010.nc', '%\nO9010\nG1 X5 F100\nM99\n%\n')
+    with zipfile.ZipFile(kadr.folder / 'a.zip', 'w', zipfile.ZIP_DEFLATED) as packed:
+        for path in sorted((kadr.folder / 'a').rglob('*.n*')):
+            packed.write(path, path.relative_to(kadr.folder / 'a'))
+        packed.writestr('../outside.ngc', GOOD.format(9))
+    kadr.file('list.txt', '# programs\n' + ''.join(f'a/{i % 7}/p{i}.ngc\n' for i in range(12)) + 'a/x/O1.nc\na/x/O9010.nc\n')
+    for source, count in (('a', 14), ('a.zip', 14), ('list.txt', 14)):
+        file = f'{source}.sqlite'
+        kadr.archive('check', source, '--db', file, '--control-for', '*.nc=fanuc', '--control', 'linuxcnc', expected=1)
+        rows = kadr.db('SELECT name, state, alarms FROM present ORDER BY name', file=file)
+        expect(len(rows) == count and ('O1.nc', 'ok', 0) in rows, f'{source}: {rows}')
+        expect(sum(state == 'alarm' for _, state, _ in rows) == 4, f'{source}: {rows}')
+
+
+def check_hostile_programs(kadr):
+    kadr.file('a/endless.nc', ENDLESS)
+    kadr.file('a/good.nc', '%\nO2\nG21 G90\nG0 X5\nM30\n%\n')
+    kadr.file('a/large.nc', '%\nO3\n' + 'G1 X1 F100\n' * 6_000_000 + 'M30\n%\n')
+    kadr.file('a/binary.nc', bytes(range(256)) * 40)
+    kadr.file('a/empty.nc', '')
+    kadr.file('a/deep.nc', '%\nO4\n#1=' + '[' * 50000 + '1' + ']' * 50000 + '\nM30\n%\n')
+    kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'fanuc', '--most-seconds', '2', '--most-memory', '48', '--workers', '2', expected=1)
+    states = dict(kadr.db('SELECT name, state FROM present'))
+    expect(states['endless.nc'] == 'time', states)
+    expect(states['good.nc'] == 'ok', states)
+    expect(states['large.nc'] in ('memory', 'time'), states)
+    expect(len(states) == 6 and all(states.values()), states)
+    expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'fanuc', '--most-seconds', '2', expected=1)) == 0, 'limits are kept')
+    done = kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'fanuc', '--most-seconds', '1', '--most-memory', '48', '--again', expected=1)
+    expect(kadr.made_now(done) >= 1, 'not tried again')
+
+
+def check_a_program_that_kills_twice_is_quarantined(kadr):
+    kadr.file('a/endless.nc', ENDLESS)
+    kadr.file('a/z.nc', '%\nO2\nG21 G90\nG0 X5\nM30\n%\n')
+    process = kadr.begin('check', 'a', '--db', 'a.sqlite', '--control', 'fanuc', '--workers', '1', '--most-seconds', '500')
+    killed = set()
+    while len(killed) < 2 and process.poll() is None:
+        for child in children_of(process.pid):
+            if child not in killed:
+                def busy(child=child):
+                    try:
+                        fields = Path(f'/proc/{child}/stat').read_text().rsplit(')', 1)[1].split()
+                    except OSError:
+                        return True
+                    return int(fields[11]) / harness.TICKS > 0.6   # it has started, and works
+                until(busy)
+                try:
+                    os.kill(child, signal.SIGKILL)
+                except ProcessLookupError:
+                    continue
+                killed.add(child)
+        time.sleep(0.05)
+    expect(process.wait(120) == 1, f'exit status {process.returncode}')
+    states = dict(kadr.db('SELECT name, state FROM present'))
+    expect(states == {'endless.nc': 'killed', 'z.nc': 'ok'}, states)
+    reason, = kadr.db("SELECT reason FROM present WHERE name = 'endless.nc'")[0]
+    expect('quarantined' in reason, reason)
+
+
+def check_kills_change_nothing(kadr):
+    some_programs(kadr, 'a', 400)
+    kadr.archive('check', 'a', '--db', 'whole.sqlite', expected=1)
+    kills = int(os.environ.get('KADR_ARCHIVE_KILLS', '12'))
+    chance = random.Random(55)
+    killed = runs = 0
+    while killed < kills:
+        process = kadr.begin('check', 'a', '--db', 'a.sqlite', '--workers', '2')
+        runs += 1
+        client_dies = chance.random() < 0.5
+        time.sleep(chance.uniform(0.05, 2.5))
+        if client_dies and process.poll() is None:
+            process.kill()
+            killed += 1
+        while not client_dies and process.poll() is None and killed < kills:
+            victims = children_of(process.pid)
+            if victims:
+                try:
+                    os.kill(chance.choice(victims), signal.SIGKILL)
+                    killed += 1
+                except ProcessLookupError:
+                    pass
+            time.sleep(chance.uniform(0.3, 0.9))
+        process.wait(300)
+        process.stdout.close()
+        process.stderr.close()
+        if client_dies or killed >= kills:
+            continue
+        for end in ('', '-wal', '-shm'):   # it was done: begin again
+            (kadr.folder / f'a.sqlite{end}').unlink(missing_ok=True)
+    kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)
+    expect(kadr.everything('a.sqlite') == kadr.everything('whole.sqlite'), f'after {killed} kills in {runs} runs the results differ')
+    expect(kadr.db('PRAGMA integrity_check') == [('ok',)], 'the file is damaged')
+
+
+def check_children_end_with_the_client(kadr):
+    kadr.file('a/endless.nc', ENDLESS)
+    process = kadr.begin('check', 'a', '--db', 'a.sqlite', '--control', 'fanuc', '--workers', '2', '--most-seconds', '500')
+    expect(until(lambda: children_of(process.pid)), 'no child')
+    children = children_of(process.pid)
+    process.kill()
+    process.wait()
+    expect(until(lambda: not any(Path(f'/proc/{child}/stat').exists() and ') Z' not in Path(f'/proc/{child}/stat').read_text() for child in children), 30),
+           'a child lives on')
+
+
+def check_interrupt(kadr):
+    kadr.file('a/endless.nc', ENDLESS)
+    kadr.file('a/b.nc', '%\nO2\nG21 G90\nG0 X5\nM30\n%\n')
+    process = kadr.begin('check', 'a', '--db', 'a.sqlite', '--control', 'fanuc', '--workers', '2', '--most-seconds', '500')
+    expect(until(lambda: children_of(process.pid)), 'no child')
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    expect(process.wait(60) == 130, f'exit status {process.returncode}')
+    expect(b'interrupted' in process.stderr.read(), 'it says nothing')
+
+
+def check_run(kadr):
+    shutil.copytree(ROOT / 'examples/haas', kadr.folder / 'a')
+    kadr.archive('run', 'a', '--db', 'a.sqlite', '--control', 'haas')
+    for name, seconds, summary in kadr.db("SELECT p.name, r.seconds, r.summary FROM present p JOIN results r USING (result)"):
+        theirs = json.loads(kadr.call('run', f'a/{name}', '--control', 'haas', '--json').stdout)
+        ours = json.loads(summary)
+        expect(ours['program'] == name and {**ours, 'program': ''} == {**theirs, 'program': ''} and seconds == theirs['machining_time'], f'{name}: {ours}')
+    tools = kadr.db('SELECT DISTINCT tool FROM tools')
+    expect(tools, 'no tools')
+
+
+def check_difference(kadr):
+    some_programs(kadr, 'a', 9)
+    kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)
+    kadr.archive('diff', '--db', 'a.sqlite', expected=2)   # one run only
+    kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)
+    expect('0 programs differ' in kadr.archive('diff', '--db', 'a.sqlite').stdout, 'the same archive differs')
+    kadr.file('a/1/p1.ngc', WRONG.format(77))
+    kadr.file('a/new.ngc', GOOD.format(78))
+    (kadr.folder / 'a/2/p2.ngc').unlink()
+    kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)
+    said = kadr.archive('diff', '--db', 'a.sqlite', expected=1).stdout
+    for line in ('1/p1.ngc: text differs; without errors → with errors; + 4: ', 'new.ngc: new', '2/p2.ngc: missing now', '3 programs differ'):
+        expect(line in said, f'{line}: {said}')
+    expect('0 programs differ' in kadr.archive('diff', '--db', 'a.sqlite', '--from', '1', '--to', '2').stdout, 'earlier states are not kept')
+
+
+def check_convert(kadr):
+    shutil.copytree(ROOT / 'examples/haas', kadr.folder / 'a')
+    kadr.archive('convert', 'a', '--db', 'a.sqlite', '--control', 'haas', '--to', 'fanuc', '--out', 'out', expected=(1))
+    states = dict(kadr.db('SELECT name, state FROM present'))
+    for name, state in states.items():
+        theirs = kadr.call('convert', f'a/{name}', '--from', 'haas', '--to', 'fanuc', binary=True)
+        made = kadr.folder / 'out' / name
+        expect((state == 'ok') == (theirs.returncode == 0) == made.is_file(), f'{name}: {state}, {theirs.returncode}')
+        expect(theirs.returncode != 0 or made.read_bytes() == theirs.stdout, f'{name}: another text')
+    shutil.rmtree(kadr.folder / 'out')
+    done = kadr.archive('convert', 'a', '--db', 'a.sqlite', '--control', 'haas', '--to', 'fanuc', '--out', 'out', expected=1)
+    expect(kadr.made_now(done) == 0 and list((kadr.folder / 'out').iterdir()), 'written again without conversion')
+    kadr.archive('convert', 'a', '--db', 'b.sqlite', '--control', 'haas', '--to', 'fanuc', '--out', 'a', expected=2)
+
+
+def check_csv(kadr):
+    kadr.file('a/<b>"quoted", name.ngc', WRONG.format(1))
+    kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)
+    rows = list(csv.DictReader(io.StringIO(kadr.archive('csv', 'programs', '--db', 'a.sqlite').stdout)))
+    expect(len(rows) == 1 and rows[0]['program'] == '<b>"quoted", name.ngc' and rows[0]['state'] == 'alarm', rows)
+    kadr.archive('csv', 'findings', '--db', 'a.sqlite', '--out', 'f.csv')
+    rows = list(csv.DictReader(io.StringIO((kadr.folder / 'f.csv').read_text(encoding='utf-8'))))
+    expect(any(row['severity'] == 'alarm' and row['line'] == '4' for row in rows), rows)
+
+
+def check_report(kadr):
+    try:
+        subprocess.run([PYTHON, '-c', 'import jinja2'], check=True, capture_output=True)
+    except subprocess.CalledProcessError:
+        harness.skipped('the report of kadr-archive: python3-jinja2 is missing')
+        return
+    some_programs(kadr, 'a', 9)
+    kadr.file('a/<script>alert(1)<&.ngc', WRONG.format('5 (<script>alert(1)</script>)'))
+    kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)
+    kadr.archive('run', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)
+    for language in ('en', 'ru'):
+        out = kadr.folder / language
+        kadr.archive('report', '--run', '1', '--db', 'a.sqlite', '--out', out, '--lang', language)
+        pages = list(out.glob('*.html'))
+        links = 0
+        for page in pages:
+            text = page.read_text(encoding='utf-8')
+            expect('<script' not in text and 'data:' not in text and 'http' not in re.sub(r'http-equiv', '', text), f'{page.name}: markup of a program')
+            for link in re.findall(r'href="([^"]*)"', text):
+                links += 1
+                expect((page.parent / link).is_file(), f'{page.name}: {link} leads nowhere')
+        expect(links > 20 and len(list((out / 'programs').glob('*.html'))) == 10, f'{links} links')
+    index = (kadr.folder / 'en/index.html').read_text(encoding='utf-8')
+    for words in ('linuxcnc', 'generic', 'By tool', '<td class="number">4</td>'):
+        expect(words in index, f'{words}: not in the report')
+    before = {page: page.stat().st_mtime_ns for page in (kadr.folder / 'en/programs').iterdir()}
+    expect('0 of them made now' in kadr.archive('report', '--run', '1', '--db', 'a.sqlite', '--out', kadr.folder / 'en').stdout, 'pages made twice')
+    expect(before == {page: page.stat().st_mtime_ns for page in (kadr.folder / 'en/programs').iterdir()}, 'pages written twice')
+
+
+def check_names_that_are_no_text(kadr):
+    (kadr.folder / 'a').mkdir()
+    with open(os.fsencode(kadr.folder) + b'/a/\xd4\xf0\xe5\xe7\xe0.ngc', 'wb') as to:
+        to.write(GOOD.format(3).encode())
+    kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc')
+    kadr.archive('run', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc')
+
+
+def check_the_pages(kadr):
+    """Runs the commands of docs/archive.md, in both languages: those of a section in order, each section in a folder of its own."""
+    for page in ('docs/archive.md', 'docs/ru/archive.md'):
+        commands = 0
+        for number, section in enumerate((ROOT / page).read_text(encoding='utf-8').split('\n## ')):
+            folder = kadr.folder / page.replace('/', '-') / str(number)
+            shutil.copytree(ROOT / 'examples', folder / 'examples')
+            tools = kadr.file(f'{folder}/bin/kadr-archive', f'#!/bin/sh\nexec {PYTHON} -m kadr_archive "$@"\n')
+            tools.chmod(0o755)
+            environment = {**kadr.environment(), 'PATH': f'{tools.parent}:{os.environ["PATH"]}'}
+            blocks = re.findall(r'(?m)^    \$ (.*)\n((?:    (?!\$ ).*\n)*)', section)
+            for command, wanted in blocks:
+                if command.startswith('sqlite3') and not shutil.which('sqlite3'):
+                    harness.skipped('a command of docs/archive.md: sqlite3 is missing')
+                    continue
+                if not re.match(r'kadr-archive (check|run|convert|diff|report|csv|runs) |sqlite3 ', command) or 'scheduler' in command:
+                    continue
+                done = subprocess.run(['sh', '-c', command], cwd=folder, env=environment, capture_output=True, encoding='utf-8', timeout=300, check=False)
+                pattern = '(.|\n)*?'.join(re.escape(part) for part in re.sub(r'(?m)^    ', '', wanted).split('…'))
+                expect(done.returncode in (0, 1) and re.fullmatch(pattern, done.stdout), f'{page}: {command}: {done.returncode} {done.stdout} {done.stderr}')
+                commands += 1
+        expect(commands > 10, f'{page}: {commands} commands')
+
+
+def check_russian(kadr):
+    some_programs(kadr, 'a', 3)
+    said = kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', '--lang', 'ru', expected=1).stdout
+    expect(said == 'программ 3, обработано сейчас 3: без ошибок 2, с ошибками 1\n', said)
+
+
+if __name__ == '__main__':
+    sys.exit(harness.main(__doc__, globals(), Archive))
