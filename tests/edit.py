@@ -17,6 +17,10 @@ from harness import ROOT, Tally
 MILL = '%\nO0001 (PLATE)\nG21 G90 G17 G40 G49 G80\nT1 M6\nS2000 M3\nG54 G0 X0 Y0\nG43 H1 Z50.\n'
 END = 'G0 Z100.\nM30\n%\n'
 
+PART = ('%\nO1\nG21 G90 G17 G40 G49 G80\nT1 M6\nS2000 M3\nG54 G0 X-20. Y-20.\nG43 H1 Z50.\nG1 Z-5. F100.\nG41 D1 X0 Y-10.\nY20.\nG2 X10. Y30. I10. J0\n'
+        'G1 X40.\nY0\nG91 X-45.\nG90 G40 X-20. Y-20.\nG0 Z50.\nG98 G81 X5. Y5. Z-5. R2. F80.\nX15.\nG80\nG68 X10. Y20. R30.\nX30. Y5.\nG69\nG52 X5.\n'
+        'G0 X7. Y7.\nG52 X0\nG91 G28 Z0\nG28 X0 Y0\nM30\n%\n')
+
 # what is tested, control, program, options, the edited program
 EDITS = [
     ('numbers where there are none', 'fanuc', MILL + 'G1 Z-5. F100.\n/X10.\n' + END, ['--renumber', '10'],
@@ -71,6 +75,22 @@ EDITS = [
     ('a shift of drilled holes', 'fanuc', MILL + 'G98 G81 X1. Y2. Z-5. R2. F80.\nX3.\nG80\n' + END, ['--shift', 'X1,Z0.5'],
      MILL.replace('X0 Y0', 'X1. Y0').replace('Z50.', 'Z50.5') + 'G98 G81 X2. Y2. Z-4.5 R2.5 F80.\nX4.\nG80\n' + END.replace('Z100.', 'Z100.5')),
     ('a shift in inches', 'linuxcnc', 'G20 G90 G54\nG0 X1 Y1\nG1 X2 F10\nM2\n', ['--shift', 'X25.4'], 'G20 G90 G54\nG0 X2 Y1\nG1 X3 F10\nM2\n'),
+    ('a mirror image: arcs and the side of the compensation change, the cycle does not', 'fanuc', PART, ['--mirror', 'X'],
+     PART.replace('X-20. Y-20.', 'X20. Y-20.').replace('G41', 'G42').replace('G2 X10. Y30. I10. J0', 'G3 X-10. Y30. I-10. J0').replace('X40.', 'X-40.')
+     .replace('G91 X-45.', 'G91 X45.').replace('X5. Y5.', 'X-5. Y5.').replace('X15.', 'X-15.').replace('G68 X10. Y20. R30.', 'G68 X-10. Y20. R-30.')
+     .replace('X30. Y5.', 'X-30. Y5.').replace('G52 X5.', 'G52 X-5.').replace('X7. Y7.', 'X-7. Y7.')),
+    ('a mirror image about a line', 'linuxcnc', 'G21 G90 G54\nG0 X1 Y2\nG1 Y5 F60\nG3 X3 Y7 I0 J2\nM2\n', ['--mirror', 'Y=10'],
+     'G21 G90 G54\nG0 X1 Y18\nG1 Y15 F60\nG2 X3 Y13 I0 J-2\nM2\n'),
+    ('a mirror image in the other planes', 'fanuc', MILL + 'G18 G2 X10. Z40. R10. F100.\nG19 G3 Y10. Z30. J0 K-10.\nG17\n' + END, ['--mirror', 'X'],
+     MILL + 'G18 G3 X-10. Z40. R10. F100.\nG19 G3 Y10. Z30. J0 K-10.\nG17\n' + END),
+    ('a computed position in a mirror image', 'fanuc', MILL + '#1=5\nG1 X#1 Y[#1+1] F100.\n' + END, ['--mirror', 'X=2'],
+     MILL.replace('X0 Y0', 'X4. Y0') + '#1=5\nG1 X[0-[#1]+4] Y[#1+1] F100.\n' + END),
+    ('a quarter turn: words change places, missing ones too', 'fanuc', PART, ['--rotate', '90'],
+     '%\nO1\nG21 G90 G17 G40 G49 G80\nT1 M6\nS2000 M3\nG54 G0 X20. Y-20.\nG43 H1 Z50.\nG1 Z-5. F100.\nG41 D1 X10. Y0\nX-20.\nG2 X-30. Y10. I0 J10.\n'
+     'G1 Y40.\nX0\nG91 Y-45.\nG90 G40 X20. Y-20.\nG0 Z50.\nG98 G81 X-5. Y5. Z-5. R2. F80.\nY15.\nG80\nG68 X-20. Y10. R30.\nX-5. Y30.\nG69\nG52 Y5.\n'
+     'G0 X-7. Y7.\nG52 Y0\nG91 G28 Z0\nG28 X0 Y0\nM30\n%\n'),
+    ('a turn by another angle: rounded as the control reads it', 'linuxcnc', 'G21 G90 G54\nG0 X10 Y0\nG1 Y20 F60\nG2 X20 Y30 I10 J0\nM2\n', ['--rotate', '30'],
+     'G21 G90 G54\nG0 X8.66 Y5.\nG1 X-1.34 Y22.321 F60\nG2 X2.321 Y35.981 I8.66 J5.\nM2\n'),
     ('G53 stays', 'fanuc', MILL + 'G53 Z0\nG0 X5.\n' + END, ['--shift', 'X1'], MILL.replace('X0 Y0', 'X1. Y0') + 'G53 Z0\nG0 X6.\n' + END),
 ]
 
@@ -88,13 +108,19 @@ REFUSED = [
     ('a diameter', 'fanuc-t', 'T0101\nG0 X30.\nM30\n', ['--shift', 'X1'], 'X is programmed as a diameter'),
     ('a program that stops', 'fanuc', MILL + 'G999\n' + END, ['--renumber', '10'], 'the program stops with an alarm'),
     ('numbers with too many digits', 's2c42', '%\nN001 G90 ПС\nN002 M02 ПС\n', ['--renumber', '99999'], 'more than 5 digits'),
+    ('polar words in a mirror image', 'fanuc', MILL + 'G16\nX10. Y30.\nG15\n' + END, ['--mirror', 'X'], 'p.nc:8: not edited: G16: the words of this code'),
+    ('a computed position in a turn', 'fanuc', MILL + '#1=5\nX#1\n' + END, ['--rotate', '30'], 'p.nc:9: not edited: X#1: a computed position'),
+    ('a position that is not known in a turn', 'linuxcnc', 'G21 G90\nG0 X1\nM2\n', ['--rotate', '30'], 'p.nc:2: not edited: the position along Y'),
+    ('a macro of another program in a mirror image', 'fanuc', MILL + 'G65 P100 X1.\n' + END + 'O100\nG0 X#24\nM99\n', ['--mirror', 'X'], 'p.nc:8: not edited: G65'),
+    ('a lathe in a mirror image', 'fanuc-t', 'T0101\nG0 X30.\nM30\n', ['--mirror', 'X'], 'has no XY plane'),
     ('a speed in a subroutine of the zero', 'fanuc', '%\nO1\nG90 G54\nT1 M6\nG10 L2 P1 X5.\nG54 G0 X1.\nM30\n%\n', ['--replace-zero', 'G54=G55'],
      'something else would change'),
 ]
 
 # options that are wrong in themselves
 WRONG = [['--feed', '80'], ['--feed', 'T3:80%'], ['--feed', '0%'], ['--renumber', 'x'], ['--renumber', '10:0'], ['--replace-tool', '3'], ['--shift', '10'],
-         ['--replace-zero', 'G54'], ['--strip', 'everything'], ['--shift', 'X1e9'], ['--speed', '99999999%'], []]
+         ['--replace-zero', 'G54'], ['--strip', 'everything'], ['--shift', 'X1e9'], ['--speed', '99999999%'], ['--mirror', 'Z'], ['--mirror', 'X:5'], ['--rotate', 'x'], ['--rotate', '30@5'],
+         ['--mirror', 'X', '--rotate', '90'], ['--shift', 'X1', '--mirror', 'X'], []]
 
 WORD = re.compile(r'([A-Z])\s*([-+]?\d*\.?\d+|[-+]?\d+\.)')
 
@@ -140,10 +166,14 @@ def words(text):
     return lines
 
 
+def example_programs():
+    return sorted(path for folder in ('fanuc', 'haas', 'linuxcnc', 'mach3', 'grbl', 'gost', 's2c42', 'nct', 'correctors', 'fanuc-t')
+                  for path in (ROOT / 'examples' / folder).iterdir() if path.suffix in ('.nc', '.ngc', '.tap', '.nct'))
+
+
 def check_examples(tally, kadr, every):
     """No word of any example changes but those that were to change."""
-    examples = sorted(path for folder in ('fanuc', 'haas', 'linuxcnc', 'mach3', 'grbl', 'gost', 's2c42', 'nct', 'correctors', 'fanuc-t')
-                      for path in (ROOT / 'examples' / folder).iterdir() if path.suffix in ('.nc', '.ngc', '.tap', '.nct'))
+    examples = example_programs()
     options = [['--renumber', '10'], ['--strip', 'comments,spaces,empty-lines'], ['--add', 'spaces'], ['--feed', '50%'], ['--speed', '50%']]
     proven, possible = 0, 0
     for number, path in enumerate(examples[::every]):
@@ -177,6 +207,38 @@ def check_examples(tally, kadr, every):
     tally.expect(proven >= 0.9 * possible > 0, f'{proven} of {possible} edits of examples are proven')
 
 
+def check_maps(tally, kadr, every):
+    """A program mirrored twice, or turned four times by 90°, has its old words; each step is proven or refused with the block."""
+    proven, possible = 0, 0
+    for path in example_programs()[::every]:
+        setup = path.with_suffix('.json')
+        given = ['--control', path.parent.name, *(['--setup', setup] if setup.exists() else [])]
+        try:
+            before = words(path.read_bytes().decode('utf-8'))
+        except UnicodeDecodeError:
+            continue
+        if path.parent.name == 'fanuc-t' or kadr.call('run', path, *given, '--quiet').returncode != 0:
+            continue
+        for option, times in ((['--mirror', 'X=10'], 2), (['--mirror', 'Y'], 2), (['--rotate', '90@5,5'], 4)):
+            possible += 1
+            now, what = path, f'{path.relative_to(ROOT)} {" ".join(option)}'
+            for step in range(times):
+                out = kadr.folder / f'o{step}.nc'
+                out.unlink(missing_ok=True)
+                done = kadr.call('edit', now, *given, '--out', out, *option)
+                tally.expect(done.returncode in (0, 1) and out.exists() == (done.returncode == 0), what, done.stderr)
+                if done.returncode != 0:
+                    tally.expect(step == 0 or 'not_stated' in done.stderr, f'{what}: step {step + 1} is refused although the first was not', done.stderr)
+                    break
+                now = out
+            else:
+                proven += 1
+                after = words(now.read_bytes().decode('utf-8'))
+                tally.judge(f'{what}: {times} times', [f'{a} became {b}' for a, b in zip(before, after) if a != b][:3])
+    tally.expect(proven >= 0.5 * possible > 0, f'{proven} of {possible} maps of examples are proven')
+    print(f'{proven} of {possible} maps of examples are proven')
+
+
 def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('--every', type=int, default=1, help='every nth example only')
@@ -187,6 +249,7 @@ def main():
         kadr.language = 'en'
         check_cases(tally, kadr)
         check_examples(tally, kadr, options.every)
+        check_maps(tally, kadr, options.every)
     return tally.result()
 
 

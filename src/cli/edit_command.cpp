@@ -37,6 +37,10 @@ class EditCommand {
       complain(translated(texts::edit_command::nothing_asked));
       return wrong_usage;
     }
+    if (places_edited(o_.edits) > 1) {
+      complain(translated(texts::edit_command::one_at_a_time));
+      return wrong_usage;
+    }
     Options of_program = o_.run;
     of_program.programs = {o_.program};
     job_ = make_job(of_program, o_.program);
@@ -144,6 +148,28 @@ CLI::Option* edit_words(CLI::App& app, const std::string& name, PlainText about,
                plain_text(value));
 }
 
+/// Adds an option with one word, which is read by `read` and kept by `keep`.
+template <class Read, class Keep>
+void edit_word(CLI::App& app, const std::string& name, PlainText about, PlainText value, Read read, Keep keep) {
+  takes(app.add_option_function<std::string>(
+            name,
+            [name, read, keep](const std::string& word) {
+              auto made = read(word);
+              if (!made) throw CLI::ValidationError(name, made.error());
+              keep(std::move(*made));
+            },
+            plain_text(about)),
+        plain_text(value));
+}
+
+/// Adds the options that map positions in the XY plane. Only one of them may be stated: their order would matter.
+void plane_options(CLI::App& app, Edits& edits) {
+  namespace t = texts::edit_command;
+  const auto keep = [&edits](const PlaneMap& map) { edits.plane = map, ++edits.maps; };
+  edit_word(app, "--mirror", t::mirror, t::mirror_value, read_mirror, keep);
+  edit_word(app, "--rotate", texts::edit_command::rotate, t::rotate_value, read_rotation, keep);
+}
+
 void removal_options(CLI::App& app, Edits& edits) {
   const std::map<std::string, bool*> removed = {{"numbers", &edits.no_numbers},
                                                 {"comments", &edits.no_comments},
@@ -182,6 +208,7 @@ void add_edit(CLI::App& app, Commands& c) {
   edit_words(*edit, "--replace-zero", t::work_offset, t::work_offset_value, read_systems,
              [&](auto one) { edits.work_systems.push_back(one); });
   edit_words(*edit, "--shift", t::shift, t::shift_value, read_shift, [&](const auto& one) { edits.shift[one.first] = one.second; });
+  plane_options(*edit, edits);
   number(edit->add_option("--tolerance", o.tolerance, plain_text(t::tolerance)), plain_text(texts::values::mm), least_edit_tolerance,
          most_edit_tolerance)
       ->capture_default_str();

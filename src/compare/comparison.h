@@ -45,9 +45,9 @@ struct CompareRules {
   bool times = true;                // compute CourseSpot::at
   std::size_t max_reported = 1000;  // greatest number of differences in Comparison::differences; further differences are only counted
   StopToken stop{};
-  // A function of the client that changes each item of a before it is compared, so that the comparison expects the changed program; empty:
-  // b is expected to do what a does
-  std::function<void(CourseItem&)> expected_of_a{};
+  // A function of the client that changes the course of a (Course::change_items), so that the comparison expects the changed program;
+  // empty: b is expected to do what a does
+  std::function<void(ItemRing& from, ItemRing& to)> expected_of_a{};
   // A function of the client that receives each segment while the paths are compared
   std::function<void(const ComparedPiece&)> on_piece{};
 };

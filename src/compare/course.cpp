@@ -61,13 +61,12 @@ Course::Course(std::unique_ptr<Session> session, const std::vector<std::string>&
 
 void Course::more(ItemRing& to) {
   const std::size_t before = to.size();
-  ahead_ = &to;
+  ahead_ = change_ ? &unchanged_ : &to;
   while (to.size() == before && !over_) {
     over_ = stop_.requested() || session_->go_on() != Session::State::running;
-    if (over_) end_.state = state_, to.add() = end_;
+    if (over_) end_.state = state_, ahead_->add() = end_;
+    if (change_) change_(unchanged_, to);
   }
-  if (change_)
-    for (std::size_t i = before; i < to.size(); ++i) change_(to[i]);
 }
 
 /// Copies axis positions from the order of the control's axes to the order of the frame's axes. An axis of the frame that the control lacks
@@ -129,10 +128,17 @@ void Course::take_switch(const Step& step) {
       },
       [&](const MachineFunction& function) { take_function(step, function.code); },
       [&](const AuxiliaryFunction& auxiliary) { take_event(step, Kind::other, auxiliary.value, std::string(1, auxiliary.address)); },
-      [&](const FrameChange& frame) { frame_zero_ = work_origin_of(chain_, frame.placement); },
+      [&](const FrameChange& frame) { note_frame(frame); },
       [&](const Couple& couple) { take_event(step, Kind::other, couple.ratio, "couple " + couple.slave); },
       [&](const Uncouple& uncouple) { take_event(step, Kind::other, 0, "uncouple " + uncouple.slave); },
       ignores<Motion, ToolSelect, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>);
+}
+
+void Course::note_frame(const FrameChange& frame) {
+  frame_zero_ = work_origin_of(chain_, frame.placement);
+  Placement plain = frame.placement;
+  for (std::size_t a = 0; frame.shifted && a < plain.origin.size(); ++a) plain.origin[a] -= (*frame.shifted)[a];
+  system_zero_ = work_origin_of(chain_, plain);
 }
 
 void Course::take_function(const Step& step, std::uint32_t code) {
@@ -209,6 +215,9 @@ void Course::take_motion(const Step& step, const Motion& motion) {
     item.act.reset();
     item.origin = step.action.origin;
     item.begins = begins, item.ends = ends;
+    item.zero = system_zero_;
+    item.named = motion.named;
+    item.by_work = motion.end_reference == EndReference::by_work && motion.kind != MotionKind::home;
     return item.to;
   };
   if (is_plain_line(step, motion)) return put_in_frame(add(step.begins, step.begins + step.time.seconds), motion.machine);

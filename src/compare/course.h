@@ -25,8 +25,9 @@ class Course {
 
   /// Excludes messages to the operator from the course.
   void pass_messages() { messages_ = false; }
-  /// Sets a function that changes each item before it is passed on; an empty function changes nothing.
-  void change_items(std::function<void(CourseItem&)> change) { change_ = std::move(change); }
+  /// Sets a function that takes all items of the first ring and appends what is to be compared instead to the second ring. It must pass
+  /// the end on. An empty function changes nothing.
+  void change_items(std::function<void(ItemRing& from, ItemRing& to)> change) { change_ = std::move(change); }
   /// Adds this vector, the origin that the operator has set, to all positions (mm, by axis of the frame). Call this function before the
   /// first item.
   void shift(const Axes& by);
@@ -62,6 +63,7 @@ class Course {
   void take_motion(const Step& step, const Motion& motion);
   void take_event(const Step& step, CourseEvent::Kind kind, double value, std::string text = {});
   void take_switch(const Step& step);
+  void note_frame(const FrameChange& frame);
   void take_function(const Step& step, std::uint32_t code);
   void stop_exactly(const Step& next);
   bool stands(const Step& step, const Motion& motion) const;
@@ -71,10 +73,11 @@ class Course {
   std::vector<int> axis_of_;  // by axis of the frame: index of the control's axis; -1: the control has no such axis
   double chord_;
   StopToken stop_;
-  std::function<void(CourseItem&)> change_;
+  std::function<void(ItemRing& from, ItemRing& to)> change_;
+  ItemRing unchanged_;  // items before change_ takes them
   Chain chain_;
   std::unique_ptr<TimeEstimate> clock_;
-  Vec3 frame_zero_;
+  Vec3 frame_zero_, system_zero_;  // system_zero_: as CourseItem::zero
   std::optional<Vec3> zero_;
   ItemRing* ahead_ = nullptr;  // the ring that receives the items during more()
   CourseState state_, before_block_;

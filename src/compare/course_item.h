@@ -46,6 +46,9 @@ struct CourseItem {
   Kind kind = Kind::end;
   Axes to{};  // position at the end of the item, machine coordinates, in the order of the frame's axes
   CourseState state;
+  Vec3 zero;                               // origin of the work system in machine coordinates, without G52, G92 and the tool length
+  AxisMask named = 0;                      // axes whose position the block states; bits in the order of the control's axes
+  bool by_work = true;                     // false: the end is a position of the machine (G53, G28); only for motions
   std::shared_ptr<const CourseEvent> act;  // the act; nullptr if the item is a motion or the end
   Origin origin;
   double begins = 0, ends = 0;   // programmed times of the item's start and end, s since the start of the run

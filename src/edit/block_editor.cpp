@@ -19,12 +19,6 @@ constexpr std::uint64_t bit_of(char letter) { return letter >= 'A' && letter <= 
 
 constexpr std::uint32_t pair_digits = 100;  // T0303: tool 3 with offset 3
 
-/// Returns the location of a word without blanks at its end.
-Span without_blanks(const Block& block, Span where) {
-  while (where.end > where.begin && block.text[where.end - 1] == ' ') --where.end;
-  return where;
-}
-
 bool is_axis(const AddressRow& row) { return row.function == Function::axis || row.function == Function::machine_axis; }
 
 constexpr bool is_offset(char letter) { return letter == 'H' || letter == 'D'; }
@@ -39,7 +33,9 @@ bool names_place(Function function) {
 
 }  // namespace
 BlockEditor::BlockEditor(const ControlDef& def, const Edits& edits, const LineUses* use)
-    : def_(def), edits_(edits), use_(use), tool_(use != nullptr ? use->first_tool() : 0) {}
+    : def_(def), edits_(edits), use_(use), tool_(use != nullptr ? use->first_tool() : 0) {
+  if (edits.plane) plane_.emplace(def, *edits.plane);
+}
 
 void BlockEditor::note_mode(const CodeRow& row) {
   switch (row.function) {
@@ -211,6 +207,11 @@ tl::expected<void, EditFault> BlockEditor::change(const Block& block, LineChange
     else if (word.address == 'T' || (is_offset(word.address) && (codes.takes_offset || !is_taken))) tool_word(block, word, to);
     else if (!edits_.shift.empty()) status = place_word(block, word, codes, to);
     if (!status) return status;
+  }
+  if (plane_) {
+    if (auto status = plane_->change(block, to); !status) return status;
+    const std::size_t changed = plane_->take_changed();
+    if (use_ != nullptr && !use_->line(block.position.line).executed) not_executed_ += changed;
   }
   if (edits_.no_numbers && block.has_number) {
     std::uint32_t end = block.number_where.end;

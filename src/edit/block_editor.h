@@ -12,6 +12,7 @@
 #include "edit/edits.h"
 #include "edit/line_changes.h"
 #include "edit/line_uses.h"
+#include "edit/plane_editor.h"
 
 namespace kadr {
 
@@ -52,6 +53,7 @@ class BlockEditor {
   const Edits& edits_;
   const LineUses* use_;
   std::uint32_t tool_ = 0;  // tool in the spindle after the last line that was executed
+  std::optional<PlaneEditor> plane_;
   std::size_t not_executed_ = 0;
   bool incremental_ = false, inch_ = false, centres_absolute_ = false;
 };

@@ -6,6 +6,7 @@
 
 #include "config/setup/setup_names.h"
 #include "convert/open_states.h"
+#include "edit/expected_course.h"
 
 namespace kadr {
 namespace {
@@ -57,29 +58,15 @@ Setup setup_of_old(const Setup& setup, const ControlDef& def, const Edits& edits
   return old;
 }
 
-/// Returns the function that changes the course of the old program to what is expected of the new one; empty if nothing changes.
-std::function<void(CourseItem&)> expected_by(const Edits& edits) {
-  if (edits.feeds.empty() && edits.speeds.empty() && edits.tools.empty()) return {};
-  const auto new_tool = [&edits](std::uint32_t tool) {
-    for (const auto& [from, to] : edits.tools)
-      if (from == tool) return to;
-    return tool;
-  };
-  return [&edits, new_tool](CourseItem& item) {
-    CourseState& state = item.state;
-    const double speed = factor_for(edits.speeds, state.tool);
-    state.speed *= speed;
-    if (state.move == CourseMove::feed || state.move == CourseMove::probe) {
-      const bool keeps_lead = state.taps && state.unit == FeedUnit::mm_per_min;
-      state.feed *= keeps_lead ? speed : state.taps ? 1 : factor_for(edits.feeds, state.tool);
-    }
-    state.tool = new_tool(state.tool);
-    if (item.act && item.act->kind == CourseEvent::Kind::tool) {
-      CourseEvent changed = *item.act;
-      changed.value = new_tool(static_cast<std::uint32_t>(changed.value));
-      item.act = std::make_shared<const CourseEvent>(std::move(changed));
-    }
-  };
+/// Puts the start of the run, if the set-up does not state it, on a point of the plane that the map leaves where it is: a program that
+/// begins with increments, or that sets the position, is mapped about the point where it starts.
+void start_at_fixed_point(Setup& setup, const Edits& edits, const Session& session) {
+  if (!edits.plane || setup.start_in_work || setup.start.contains("X") || setup.start.contains("Y")) return;
+  const std::vector<std::string>& axes = session.control().axes();
+  const Vec2 fixed = edits.plane->fixed_point();
+  const ToolPosition& stand = session.stand();
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (axes[i] == "X" || axes[i] == "Y") setup.start[axes[i]] = stand.machine[i] - stand.work[i] + (axes[i] == "X" ? fixed.x : fixed.y);
 }
 
 }  // namespace
@@ -95,13 +82,23 @@ tl::expected<EditProof, std::string> prove_edit(const EditSpec& spec, const std:
   for (OpenState& state : open_states(spec.setup, def, def, (*opened)->control().axes(), names, other_states))
     setups.push_back(std::move(state.setup));
   CompareRules rules;
-  rules.tolerance = spec.tolerance;
-  rules.expected_of_a = expected_by(spec.edits);
+  const auto is_rounded = [](const PlaneMap& map) { return !map.is_quarter(); };
+  const bool rounds =
+      (spec.edits.plane && is_rounded(*spec.edits.plane)) || std::any_of(spec.edits.places.begin(), spec.edits.places.end(), is_rounded);
+  // Turned coordinates are rounded to the increment of the words
+  rules.tolerance = rounds ? std::max(spec.tolerance, usual_tolerance(def, def, true)) : spec.tolerance;
   rules.stop = spec.stop;
   EditProof proof;
-  for (const Setup& setup : setups) {
+  for (Setup& setup : setups) {
     auto a = spec.old_program(setup_of_old(setup, def, spec.edits));
     if (!a) return tl::unexpected(a.error());
+    if (spec.edits.plane) {
+      start_at_fixed_point(setup, spec.edits, **a);
+      a = spec.old_program(setup_of_old(setup, def, spec.edits));
+      if (!a) return tl::unexpected(a.error());
+    }
+    ExpectedCourse expected(spec.edits, (*a)->control().axes(), (*a)->stand().machine);
+    rules.expected_of_a = [&expected](ItemRing& from, ItemRing& to) { expected.take(from, to); };
     auto b = spec.new_program(text, setup);
     if (!b) return tl::unexpected(b.error());
     Comparison made = compare_sessions(std::move(*a), std::move(*b), rules);

@@ -40,6 +40,17 @@ tl::expected<void, EditFault> check_systems(const Edits& edits, const ControlDef
   return {};
 }
 
+/// A map of the XY plane needs the axes X and Y, and words that state no diameters.
+tl::expected<void, EditFault> check_plane(const Edits& edits, const ControlDef& def, const std::vector<std::string>& axes) {
+  if (!edits.plane && edits.places.empty() && !edits.reverses) return {};
+  if (def.behaviour.lathe != Lathe::none || def.diameter != 0)
+    return tl::unexpected(EditFault{0, translated(texts::edit::no_plane_of_lathe)});
+  for (const char* const axis : {"X", "Y"})
+    if (std::find(axes.begin(), axes.end(), axis) == axes.end())
+      return tl::unexpected(EditFault{0, translated(texts::edit::no_such_axis, axis)});
+  return {};
+}
+
 }  // namespace
 
 tl::expected<Edited, EditFault> edited(const EditSpec& spec, const EditedSource& program) {
@@ -54,6 +65,7 @@ tl::expected<Edited, EditFault> edited(const EditSpec& spec, const EditedSource&
     const std::vector<std::string> axes = (*session)->control().axes();
     use = LineUses::of(std::move(*session), spec.stop);
     if (auto status = check_shift(spec.edits, axes, use); !status) return tl::unexpected(status.error());
+    if (auto status = check_plane(spec.edits, def, axes); !status) return tl::unexpected(status.error());
     source.use = &use;
   }
   TextSpool made;

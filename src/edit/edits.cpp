@@ -122,4 +122,59 @@ tl::expected<std::pair<std::string, double>, std::string> read_shift(std::string
   return std::pair(axis, *value);
 }
 
+tl::expected<PlaneMap, std::string> read_mirror(std::string_view text) {
+  std::string_view rest = text;
+  const bool is_x = take(rest, 'X'), is_y = !is_x && take(rest, 'Y');
+  std::optional<double> at = 0;
+  if (take(rest, '=')) at = number_of<double>(rest);
+  if ((!is_x && !is_y) || !at || !rest.empty() || !(std::abs(*at) <= most_shift))
+    return tl::unexpected(translated(texts::edit::want_mirror, text));
+  return is_x ? PlaneMap::mirror_x(*at) : PlaneMap::mirror_y(*at);
+}
+
+tl::expected<PlaneMap, std::string> read_rotation(std::string_view text) {
+  constexpr double most_degrees = 3600;
+  std::string_view rest = text;
+  const auto degrees = number_of<double>(rest);
+  Vec2 centre;
+  bool right = degrees && std::abs(*degrees) <= most_degrees;
+  if (right && take(rest, '@')) {
+    const auto x = number_of<double>(rest);
+    const bool has_comma = take(rest, ',');
+    const auto y = number_of<double>(rest);
+    right = x && has_comma && y && std::abs(*x) <= most_shift && std::abs(*y) <= most_shift;
+    if (right) centre = {*x, *y};
+  }
+  if (!right || !rest.empty()) return tl::unexpected(translated(texts::edit::want_rotation, text));
+  return PlaneMap::turn(*degrees, centre);
+}
+
+tl::expected<void, std::string> add_edit(Edits& edits, std::string_view name, std::string_view word) {
+  const auto put = [](auto made, const auto& keep) -> tl::expected<void, std::string> {
+    if (!made) return tl::unexpected(std::move(made.error()));
+    keep(std::move(*made));
+    return {};
+  };
+  const std::pair<std::string_view, bool*> switches[] = {{"numbers", &edits.no_numbers},
+                                                         {"comments", &edits.no_comments},
+                                                         {"spaces", &edits.no_spaces},
+                                                         {"empty-lines", &edits.no_empty_lines}};
+  for (const auto& [what, is_on] : switches)
+    if (name == "strip" && word == what) return *is_on = true, tl::expected<void, std::string>();
+  if (name == "add" && word == "spaces") return edits.spaces = true, tl::expected<void, std::string>();
+  if (name == "renumber") return put(read_numbering(word), [&](Numbering one) { edits.numbering = one; });
+  if (name == "feed") return put(read_factor(word), [&](Factor one) { edits.feeds.push_back(one); });
+  if (name == "speed") return put(read_factor(word), [&](Factor one) { edits.speeds.push_back(one); });
+  if (name == "replace-tool") return put(read_tools(word), [&](auto one) { edits.tools.push_back(one); });
+  if (name == "replace-zero") return put(read_systems(word), [&](auto one) { edits.work_systems.push_back(one); });
+  if (name == "shift") return put(read_shift(word), [&](const auto& one) { edits.shift[one.first] = one.second; });
+  if (name == "mirror") return put(read_mirror(word), [&](const PlaneMap& map) { edits.plane = map, ++edits.maps; });
+  if (name == "rotate") return put(read_rotation(word), [&](const PlaneMap& map) { edits.plane = map, ++edits.maps; });
+  return tl::unexpected(translated(texts::edit::no_such_edit, name, word));
+}
+
+int places_edited(const Edits& edits) {
+  return int(!edits.shift.empty()) + edits.maps + int(!edits.places.empty()) + int(edits.reverses.has_value());
+}
+
 }  // namespace kadr

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/setup/setup.h"
+#include "edit/plane_map.h"
 
 namespace kadr {
 
@@ -31,6 +32,12 @@ struct SystemCode {
   friend bool operator==(const SystemCode&, const SystemCode&) = default;
 };
 
+/// Lines of the program's file, counted from 1.
+struct EditLines {
+  std::uint32_t first = 0, last = 0;
+  friend bool operator==(const EditLines&, const EditLines&) = default;
+};
+
 struct Edits {
   std::optional<Numbering> numbering;
   bool no_numbers = false, no_comments = false, no_spaces = false, no_empty_lines = false;  // what is removed
@@ -39,10 +46,17 @@ struct Edits {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> tools;   // numbers of tools: old, new
   std::vector<std::pair<SystemCode, SystemCode>> work_systems;  // old, new
   AxisValues shift;                                             // mm, by name of the axis: added to positions in work coordinates
+  std::optional<PlaneMap> plane;                                // all positions in work coordinates are mapped in the XY plane
+  int maps = 0;                                                 // how many such maps are asked for
+  std::vector<PlaneMap> places;                                 // further places at which lines are repeated
+  std::optional<EditLines> copied;                              // the lines that are repeated; nullopt: all that cuts, tool by tool
+  std::optional<EditLines> reverses;                            // the lines of a contour that runs backwards
+  // Lines whose course is repeated or reversed. edited() finds them.
+  std::vector<EditLines> pieces;
 
   bool empty() const {
     return !numbering && !no_numbers && !no_comments && !no_spaces && !no_empty_lines && !spaces && feeds.empty() && speeds.empty() &&
-           tools.empty() && work_systems.empty() && shift.empty();
+           tools.empty() && work_systems.empty() && shift.empty() && !plane && places.empty() && !reverses;
   }
 };
 
@@ -61,5 +75,15 @@ tl::expected<std::pair<std::uint32_t, std::uint32_t>, std::string> read_tools(st
 tl::expected<std::pair<SystemCode, SystemCode>, std::string> read_systems(std::string_view text);
 /// Reads `X10`, `Z-0.5`: the name of an axis and a distance in mm.
 tl::expected<std::pair<std::string, double>, std::string> read_shift(std::string_view text);
+
+/// Reads `X`, `Y`, `X=50` or `Y=-3.5`: the axis that changes its sign, and the line about which it does.
+tl::expected<PlaneMap, std::string> read_mirror(std::string_view text);
+/// Reads `90` or `30@10,20`: degrees, counter-clockwise, and the centre.
+tl::expected<PlaneMap, std::string> read_rotation(std::string_view text);
+
+/// Adds the edit that a user asks for by the name of an option of `kadr edit`, without its hyphens, and a word: "feed" and "T3=80%".
+tl::expected<void, std::string> add_edit(Edits& edits, std::string_view name, std::string_view word);
+/// Returns how many edits of positions are asked for. Their order would matter, so that only one of them may be made at a time.
+int places_edited(const Edits& edits);
 
 }  // namespace kadr

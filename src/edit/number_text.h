@@ -11,6 +11,12 @@
 
 namespace kadr {
 
+/// Returns the location of a word without blanks at its end.
+inline Span without_blanks(const Block& block, Span where) {
+  while (where.end > where.begin && block.text[where.end - 1] == ' ') --where.end;
+  return where;
+}
+
 /// Returns the word with another value. The number has as many decimals as it needs, at most those that the control reads.
 ///   text     the word as the program states it: "F0120", "X-5.", "F[#1*2]"
 ///   value    the new value, in the unit in which Word::value is

@@ -177,7 +177,8 @@ class ProgramWriter {
 }  // namespace
 
 bool needs_use(const Edits& edits) {
-  return !edits.feeds.empty() || !edits.speeds.empty() || !edits.tools.empty() || !edits.work_systems.empty() || !edits.shift.empty();
+  return !edits.feeds.empty() || !edits.speeds.empty() || !edits.tools.empty() || !edits.work_systems.empty() || !edits.shift.empty() ||
+         edits.plane || !edits.places.empty() || edits.reverses;
 }
 
 tl::expected<EditedText, EditFault> edit_program(const EditedSource& program, const Edits& edits, const StopToken& stop,

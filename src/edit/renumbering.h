@@ -24,13 +24,15 @@ struct EditFault {
   std::string why;
 };
 
+using EditStatus = tl::expected<void, EditFault>;
+
 class Renumbering {
  public:
   /// Reads the program once or twice. Memory grows with the number of references, not with the length of the program.
   ///   def     must outlive this object
   ///   returns a fault if a block is named by an expression, or if a number has too many digits for the control
   static tl::expected<Renumbering, EditFault> of(const std::shared_ptr<ByteSource>& source, std::optional<Encoding> encoding,
-                                                  const ControlDef& def, const Numbering& numbering, const StopToken& stop);
+                                                 const ControlDef& def, const Numbering& numbering, const StopToken& stop);
 
   /// Adds the changes of one block: its number, and the numbers of the blocks that it names. Must be called for each block in order.
   tl::expected<void, EditFault> change(const Block& block, LineChanges& to);

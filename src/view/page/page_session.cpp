@@ -107,6 +107,7 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
       {"mill", &Inside::mill, false, true},
       {"tape", &Inside::tape, false, true},
       {"convert", &Inside::convert, false, true},
+      {"edit_program", &Inside::edit_program, false, true},
   };
   const auto* const known = std::find_if(std::begin(all), std::end(all), [&](const Known& k) { return k.name == what; });
   if (known == std::end(all)) return tl::unexpected(Refusal{});
