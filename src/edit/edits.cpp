@@ -159,9 +159,13 @@ tl::expected<void, std::string> add_edit(Edits& edits, std::string_view name, st
                                                          {"comments", &edits.no_comments},
                                                          {"spaces", &edits.no_spaces},
                                                          {"empty-lines", &edits.no_empty_lines}};
+  const auto put_on = [](bool& is_on) {
+    is_on = true;
+    return tl::expected<void, std::string>();
+  };
   for (const auto& [what, is_on] : switches)
-    if (name == "strip" && word == what) return *is_on = true, tl::expected<void, std::string>();
-  if (name == "add" && word == "spaces") return edits.spaces = true, tl::expected<void, std::string>();
+    if (name == "strip" && word == what) return put_on(*is_on);
+  if (name == "add" && word == "spaces") return put_on(edits.spaces);
   if (name == "renumber") return put(read_numbering(word), [&](Numbering one) { edits.numbering = one; });
   if (name == "feed") return put(read_factor(word), [&](Factor one) { edits.feeds.push_back(one); });
   if (name == "speed") return put(read_factor(word), [&](Factor one) { edits.speeds.push_back(one); });

@@ -13,6 +13,7 @@ import "./style/operator_screen.css";
 import "./style/view.css";
 import "./style/code.css";
 import "./style/making.css";
+import "./style/edit.css";
 import "./style/print.css";
 import { App } from "./model/app";
 import { is_of_cut } from "./model/listed";
@@ -27,6 +28,7 @@ import { SourcePane } from "./source/pane";
 import { editor_view } from "./source/editor";
 import { apply_fix } from "./source/problems";
 import { language, set_language, t } from "./texts/texts";
+import { EditDialog } from "./editing/edit_dialog";
 import { banner } from "./ui/banner";
 import { show_compare } from "./ui/compare";
 import { ConvertDialog } from "./ui/converting";
@@ -123,6 +125,13 @@ const top = new Topbar(app, {
     remember("files_hidden", files.element.hidden);
   },
   sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
+  edit: () => {
+    new EditDialog(app, () => new WebSocket(address) as unknown as Socket, {
+      take: (text) => source.take(text),
+      line: (n) => source.show(n),
+      end_paths: () => scene?.clearPath(1),
+    });
+  },
   compare: () => show_compare(app, { begin: () => scene?.clearPath(1), line: (n) => void go_to_line(n, 0) }),
   setup: () => tabs.choose("setup_tab"),
   help: show_help,

@@ -6,7 +6,7 @@ import { greet } from "./greet";
 import { Latest } from "./latest";
 import { Signal } from "./signal";
 
-export class LongQuestion<K extends "mill" | "convert"> {
+export class LongQuestion<K extends "mill" | "convert" | "edit_program"> {
   answer: Questions[K][1] | null = null; // the last answer; it belongs to the current question only if `busy` is false
   refusal = "";
   busy = false;

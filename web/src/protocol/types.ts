@@ -11,6 +11,7 @@ import type {
   TapeCode,
   TapeRead,
 } from "./types/making";
+import type { EditQuestion, EditedProgram } from "./types/editing";
 import type {
   ChannelWay,
   LogEntry,
@@ -44,6 +45,7 @@ export type * from "./types/cut";
 export type * from "./types/panel";
 export type * from "./types/making";
 export type * from "./types/setup";
+export type * from "./types/editing";
 
 export interface Questions {
   hello: [{ token?: string; lang: Language }, Hello];
@@ -73,6 +75,7 @@ export interface Questions {
     Punched | TapeRead,
   ];
   convert: [ConvertQuestion, Converted];
+  edit_program: [EditQuestion, EditedProgram];
   stop: [object, object];
   machines: [object, { machines: { name: string; mode: PanelMode | "kept"; held: boolean }[] }];
   machine: [

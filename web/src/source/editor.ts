@@ -1,5 +1,5 @@
 // The editor of a program that is held in the page: undo, search, problems, the running line.
-import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirror/commands";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { EditorState, StateEffect, StateField, RangeSet } from "@codemirror/state";
 import {
@@ -27,6 +27,8 @@ export interface SourceView {
   focus(): void;
   close(): void;
   readonly editor?: EditorView;
+  /// Replaces the text as one change that undo takes back.
+  take?(text: string): void;
 }
 
 interface Running {
@@ -140,6 +142,7 @@ export function editor_view(
       if (at >= 0 && !seen(view, at)) effects.push(EditorView.scrollIntoView(at, { y: "center" }));
       view.dispatch({ effects });
     },
+    take: (text) => take_text(view, text),
     focus: () => view.focus(),
     close: () => {
       off();
@@ -147,6 +150,21 @@ export function editor_view(
       view.destroy();
     },
   };
+}
+
+/// Changes only what differs, so that cursor and marks outside of it stay.
+function take_text(view: EditorView, text: string): void {
+  const before = view.state.doc.toString(),
+    shorter = Math.min(before.length, text.length);
+  let from = 0,
+    end = 0;
+  while (from < shorter && before[from] === text[from]) from++;
+  while (end < shorter - from && before[before.length - 1 - end] === text[text.length - 1 - end]) end++;
+  view.dispatch({
+    changes: { from, to: before.length - end, insert: text.slice(from, text.length - end) },
+    annotations: isolateHistory.of("full"),
+    scrollIntoView: true,
+  });
 }
 
 /// True if the line is visible, so that the text does not jump while the slider moves.

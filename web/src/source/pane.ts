@@ -82,6 +82,19 @@ export class SourcePane {
     this.other = show;
     this.head();
   }
+  /// Puts a text into the editor as one change that undo takes back.
+  take(text: string): void {
+    if (this.shown_file !== 0) this.show_file(0, "");
+    this.view?.take?.(text);
+    this.view?.focus();
+  }
+  /// The first and the last line of the selection; null without an editor.
+  selected(): { from: number; to: number } | null {
+    const state = this.shown_file === 0 ? this.view?.editor?.state : undefined;
+    if (!state) return null;
+    const { from, to } = state.selection.main;
+    return { from: state.doc.lineAt(from).number, to: state.doc.lineAt(to).number };
+  }
   fix(fix: Fix): void {
     if (this.view?.editor) {
       this.editing?.fix(this.view.editor, fix);

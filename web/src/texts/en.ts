@@ -1,6 +1,7 @@
 // Every text of the page in English: the keys that all other tables must have. Each area has a file of its own.
 import { bar_en } from "./en/bar";
 import { cut_en } from "./en/cut";
+import { edit_en } from "./en/edit";
 import { making_en } from "./en/making";
 import { operator_en } from "./en/operator";
 import { panel_en } from "./en/panel";
@@ -22,6 +23,7 @@ export const en = {
   ...panel_en,
   ...operator_en,
   ...making_en,
+  ...edit_en,
   ...report_en,
 };
 export type TextKey = keyof typeof en;

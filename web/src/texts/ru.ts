@@ -1,6 +1,7 @@
 // Тексты страницы по-русски, словами цеха. Если ключа нет, сборка останавливается.
 import { bar_ru } from "./ru/bar";
 import { cut_ru } from "./ru/cut";
+import { edit_ru } from "./ru/edit";
 import { making_ru } from "./ru/making";
 import { operator_ru } from "./ru/operator";
 import { panel_ru } from "./ru/panel";
@@ -23,5 +24,6 @@ export const ru: Record<TextKey, string> = {
   ...panel_ru,
   ...operator_ru,
   ...making_ru,
+  ...edit_ru,
   ...report_ru,
 };

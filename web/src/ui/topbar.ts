@@ -12,6 +12,7 @@ import { icon } from "./icons";
 export interface TopbarVerbs {
   files?(): void;
   sheet(): void;
+  edit?(): void;
   compare?(): void;
   setup?(): void;
   licences?(): void;
@@ -69,6 +70,7 @@ export class Topbar {
       this.told,
       h("span", { class: "grow" }),
       button(t("sheet"), verbs.sheet, { disabled: !app.done }),
+      verbs.edit && button(t("edit_program"), verbs.edit, { disabled: !o }),
       verbs.compare && button(t("compare"), verbs.compare, { disabled: !app.done }),
       verbs.licences && button(t("licences"), verbs.licences),
       verbs.operator && button(t("op_enter"), verbs.operator, { title: t("op_enter_long"), "aria-keyshortcuts": "O" }),
