@@ -189,6 +189,30 @@ def check_hostile_programs(kadr):
     expect(kadr.made_now(done) >= 1, 'not tried again')
 
 
+def check_hostile_programs_of_run(kadr):
+    kadr.file('a/endless.nc', ENDLESS)
+    kadr.file('a/good.nc', '%\nO2\nG21 G90\nG0 X5\nM30\n%\n')
+    kadr.archive('run', 'a', '--db', 'a.sqlite', '--control', 'fanuc', '--most-seconds', '2', '--workers', '2', expected=1)
+    states = dict(kadr.db('SELECT name, state FROM present'))
+    expect(states == {'endless.nc': 'time', 'good.nc': 'ok'}, states)
+    process = kadr.begin('run', 'a', '--db', 'b.sqlite', '--control', 'fanuc', '--most-seconds', '500', '--workers', '2')
+    named = f'{kadr.folder}/a/endless.nc'.encode()
+
+    def at_work():
+        return [path for path in Path('/proc').glob('[0-9]*/cmdline') if named in read_bytes(path)]
+    expect(until(at_work), 'kadr does not run')
+    process.kill()
+    process.wait()
+    expect(until(lambda: not at_work(), 30), 'kadr lives on')
+
+
+def read_bytes(path):
+    try:
+        return path.read_bytes()
+    except OSError:
+        return b''
+
+
 def check_a_program_that_kills_twice_is_quarantined(kadr):
     kadr.file('a/endless.nc', ENDLESS)
     kadr.file('a/z.nc', '%\nO2\nG21 G90\nG0 X5\nM30\n%\n')
@@ -250,6 +274,80 @@ def check_kills_change_nothing(kadr):
     kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)
     expect(kadr.everything('a.sqlite') == kadr.everything('whole.sqlite'), f'after {killed} kills in {runs} runs the results differ')
     expect(kadr.db('PRAGMA integrity_check') == [('ok',)], 'the file is damaged')
+
+
+# ---- Dask
+
+class Cluster:
+    """A scheduler and workers of Dask on loopback."""
+
+    def __init__(self, kadr, workers):
+        self.kadr, self.file, self.workers = kadr, kadr.folder / 'scheduler.json', []
+        self.scheduler = self.begin('dask_scheduler', '--host', '127.0.0.1', '--port', '0', '--no-dashboard', '--scheduler-file', self.file)
+        expect(until(self.file.is_file), 'the scheduler does not start')
+        for _ in range(workers):
+            self.add()
+
+    def begin(self, module, *words):
+        more = {'cwd': self.kadr.folder, 'env': self.kadr.environment(), 'stdin': subprocess.DEVNULL, 'stdout': subprocess.PIPE, 'stderr': subprocess.DEVNULL}
+        self.kadr.started.append(subprocess.Popen([PYTHON, '-m', f'distributed.cli.{module}', *map(str, words)], **more))
+        return self.kadr.started[-1]
+
+    def add(self):
+        self.workers.append(self.begin('dask_worker', '--scheduler-file', self.file, '--nthreads', '1', '--no-nanny', '--no-dashboard', '--local-directory',
+                                       self.kadr.folder / 'dask'))
+
+
+def has_dask():
+    if subprocess.run([PYTHON, '-c', 'import distributed'], capture_output=True, check=False).returncode == 0:
+        return True
+    harness.skipped('kadr-archive on a cluster: python3-distributed is missing')
+    return False
+
+
+def check_a_cluster(kadr):
+    if not has_dask():
+        return
+    some_programs(kadr, 'a', 200)
+    kadr.file('a/x/O1.nc', '%\nO1\nG21 G90\nG0 X0 Z5\nM98 P9010\nM30\n%\n')
+    kadr.file('a/x/O9010.nc', '%\nO9010\nG1 X5 F100 G777\nM99\n%\n')
+    command = ('check', 'a', '--control', 'linuxcnc', '--control-for', '*.nc=fanuc')
+    kadr.archive(*command, '--db', 'local.sqlite', expected=1)
+    cluster = Cluster(kadr, 2)
+    kadr.archive(*command, '--db', 'seen.sqlite', '--scheduler-file', cluster.file, expected=1)
+    kadr.archive(*command, '--db', 'content.sqlite', '--scheduler', json.loads(cluster.file.read_text())['address'], '--by-content', expected=1)
+    local = kadr.everything('local.sqlite')
+    expect(kadr.everything('seen.sqlite') == local, 'another result on a cluster')
+    expect(kadr.everything('content.sqlite') == local, 'another result by content')
+    expect(kadr.made_now(kadr.archive(*command, '--db', 'seen.sqlite', '--scheduler-file', cluster.file, expected=1)) == 0, 'done twice')
+
+
+def check_a_cluster_whose_workers_die(kadr):
+    if not has_dask():
+        return
+    some_programs(kadr, 'a', 500)
+    kadr.archive('check', 'a', '--db', 'local.sqlite', expected=1)
+    cluster = Cluster(kadr, 2)
+    chance = random.Random(7)
+    process = kadr.begin('check', 'a', '--db', 'a.sqlite', '--scheduler-file', cluster.file)
+    kills = 0
+    while process.poll() is None and kills < 6:
+        time.sleep(chance.uniform(0.5, 1.5))
+        if not (kadr.folder / 'a.sqlite').is_file() or process.poll() is not None:
+            continue
+        cluster.workers.pop(0).kill()
+        kills += 1
+        cluster.add()
+    expect(process.wait(400) == 1, f'exit status {process.returncode} {process.stderr.read()[-800:]}')
+    expect(kadr.everything('a.sqlite') == kadr.everything('local.sqlite'), f'after {kills} killed workers the results differ')
+
+
+def check_no_scheduler(kadr):
+    if not has_dask():
+        return
+    kadr.file('a/p.ngc', GOOD.format(1))
+    said = kadr.archive('check', 'a', '--db', 'a.sqlite', '--scheduler-file', 'missing.json', expected=2)
+    expect('missing.json: no such file' in said.stderr, said.stderr)
 
 
 def check_children_end_with_the_client(kadr):

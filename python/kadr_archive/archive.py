@@ -25,6 +25,7 @@ class Engine(Protocol):
     sees_files: bool
 
     def results(self, batches: Iterator[list[Item]], stop: Callable[[], bool]) -> Iterator[list[dict[str, Any]]]: ...
+    def close(self) -> None: ...
 
 
 class Progress(Protocol):

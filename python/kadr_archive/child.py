@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import pickle
 import resource
+import signal
 import struct
 import sys
 import threading
@@ -39,7 +40,7 @@ def end_with_parent(parent: int) -> None:
     def watch() -> None:
         while os.getppid() == parent:
             time.sleep(0.5)
-        os._exit(0)
+        os.killpg(0, signal.SIGKILL)   # with the program kadr, if one runs
     threading.Thread(target=watch, daemon=True).start()
 
 

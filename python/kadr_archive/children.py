@@ -4,6 +4,7 @@ from __future__ import annotations
 import os
 import queue
 import select
+import signal
 import subprocess
 import sys
 import threading
@@ -15,6 +16,7 @@ from .work import Item, Job, result
 
 DEATHS = 2            # a program that ends so many children is quarantined
 START_SECONDS = 120   # a busy machine starts a child slowly
+STARTS = 10           # attempts to start a child
 
 
 class CannotWork(Exception):
@@ -34,20 +36,30 @@ class Child:
         self.late = False   # the last program took longer than allowed
 
     def _start(self) -> subprocess.Popen[bytes]:
-        path = os.pathsep.join(filter(None, sys.path))   # the child imports the same modules
-        process = subprocess.Popen([sys.executable, '-m', 'kadr_archive.child', str(os.getpid())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                   env={**os.environ, 'PYTHONPATH': path})
-        self.process = process
-        assert process.stdin and process.stdout
-        child.write(process.stdin, self.job)
-        build = self._read(START_SECONDS)
-        if build is None:
+        """Starts the process. One that dies before it has a program is started again: no program is to blame."""
+        for _ in range(STARTS):
+            process = self._begin()
+            assert process.stdin
+            try:
+                child.write(process.stdin, self.job)
+                build = self._read(START_SECONDS)
+            except BrokenPipeError:
+                build = None
+            if build is not None:
+                break
             self.end()
+        else:
             raise CannotWork('a process of kadr-archive does not start')
         if self.job.build and build != self.job.build:
             self.end()
             raise WrongBuild(f'a worker has Kadr {build}, this computer has {self.job.build}')
         return process
+
+    def _begin(self) -> subprocess.Popen[bytes]:
+        path = os.pathsep.join(filter(None, sys.path))   # the child imports the same modules
+        self.process = subprocess.Popen([sys.executable, '-m', 'kadr_archive.child', str(os.getpid())], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        env={**os.environ, 'PYTHONPATH': path}, start_new_session=True)
+        return self.process
 
     def _read(self, seconds: float) -> Optional[Any]:
         """Returns the next result; None if the child has died or takes longer. Then `late` says which."""
@@ -87,9 +99,17 @@ class Child:
                 process.wait(1)   # without requests it ends
             except subprocess.TimeoutExpired:
                 pass
-        process.kill()
+        kill_group(process)
         process.wait()
         return process.returncode
+
+
+def kill_group(process: subprocess.Popen[bytes]) -> None:
+    """Kills a child and the program kadr that it may run."""
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
 
 
 def results_of(one: Child, items: Iterable[Item], stop: Callable[[], bool] = lambda: False) -> Iterator[dict[str, Any]]:
@@ -167,10 +187,13 @@ class Local:
             for thread in threads:
                 thread.join(0.1)
 
+    def close(self) -> None:
+        pass
+
     def kill(self) -> None:
         for one in self.children:
             if one.process:
-                one.process.kill()
+                kill_group(one.process)
 
     @staticmethod
     def _work(one: Child, todo: queue.Queue[Optional[list[Item]]], made: queue.Queue[Any], stop: Callable[[], bool]) -> None:

@@ -151,7 +151,11 @@ def work(of: argparse.Namespace) -> int:
         return engine
 
     archive = Archive(store, sources, choice, job, number, Bar(of.quiet), stop)
-    done = archive.bring_up_to_date(start)
+    try:
+        done = archive.bring_up_to_date(start)
+    finally:
+        if engine:
+            engine.close()
     if stop():
         print(texts.of('interrupted'), file=sys.stderr)
         return 128 + stop.signal

@@ -47,6 +47,7 @@ class Choice:
     control: str = ''
     control_for: list[tuple[str, str]] = field(default_factory=list)
     named: Callable[[str], str] = lambda control: control   # the key of a control: its id, or the digest of its file
+    remembered: _kadr.Remembered = field(default_factory=_kadr.Remembered)
 
     def takes(self, path: str) -> bool:
         return not any(like(path, pattern) for pattern in self.exclude)
@@ -58,7 +59,7 @@ class Choice:
                 return self.named(control)
         if self.control:
             return self.named(self.control)
-        return self.named(_kadr.remembered_control(os.fsencode(on_disk))) if on_disk else ''
+        return self.named(self.remembered.of(os.fsencode(on_disk))) if on_disk else ''
 
 
 def like(path: str, pattern: str) -> bool:

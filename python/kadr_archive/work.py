@@ -1,11 +1,14 @@
 """What is done with one program: Kadr itself does it, by its module or its program."""
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 import os
 import re
+import resource
 import shutil
+import signal
 import subprocess
 import tempfile
 from dataclasses import dataclass, field
@@ -77,7 +80,8 @@ def done(item: Item, job: Job) -> dict[str, Any]:
             return result(item, 'changed', str(error))
         if hashlib.sha256(text).digest() != item.content:
             return result(item, 'changed', 'the file has changed since it was found')
-    with tempfile.TemporaryDirectory(prefix='kadr-archive-') as folder:
+    needs_files = item.folder or not item.path or '\n' in job.machine or item.asked in job.controls or job.what != 'check'
+    with tempfile.TemporaryDirectory(prefix='kadr-archive-') if needs_files else contextlib.nullcontext('/nowhere') as folder:
         asked, machine = _files_of(item, job, folder)
         name = item.path or f'{folder}/memory/{item.name}'
         if item.folder or not item.path:
@@ -161,8 +165,9 @@ def _command(job: Job, place: _Place, *arguments: str) -> subprocess.CompletedPr
         for other in os.scandir(memory):
             if other.name != os.path.basename(file) and other.is_file():
                 os.symlink(os.path.abspath(other.path), f'{place.folder}/copy/{other.name}')
+    seconds = int(job.most_seconds) + 1   # if the child dies, this process does not run endlessly
     return subprocess.run([kadr_program(), arguments[0], file, *arguments[1:], '--machine', place.machine, '--lang', 'en'], capture_output=True,
-                          stdin=subprocess.DEVNULL)
+                          stdin=subprocess.DEVNULL, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5)))
 
 
 def _is(file: str, text: bytes) -> bool:
@@ -180,7 +185,7 @@ def _run(item: Item, job: Job, spec: Any, place: _Place) -> dict[str, Any]:
     ran = _command(job, place, 'run', '--control', place.control, '--json')
     said = _without(ran.stderr.decode('utf-8', 'replace'), place.name, place.folder)
     if ran.returncode not in (0, 1):
-        return _failed(item, ran.returncode, said)
+        return _failed(item, job, ran.returncode, said)
     summary = json.loads(ran.stdout)
     summary['program'] = item.name
     channels = summary['channels']
@@ -202,7 +207,7 @@ def _convert(item: Item, job: Job, spec: Any, place: _Place) -> dict[str, Any]:
     converted = _command(job, place, 'convert', '--from', place.control, '--to', job.to)
     said = _without(converted.stderr.decode('utf-8', 'replace'), place.name, place.folder)
     if converted.returncode not in (0, 1):
-        return _failed(item, converted.returncode, said)
+        return _failed(item, job, converted.returncode, said)
     of = result(item, 'ok' if converted.returncode == 0 else 'alarm', '' if converted.returncode == 0 else said.removeprefix('kadr: '),
                 output=converted.stdout if converted.returncode == 0 else None)
     of['alarms'] = converted.returncode
@@ -210,9 +215,11 @@ def _convert(item: Item, job: Job, spec: Any, place: _Place) -> dict[str, Any]:
     return of
 
 
-def _failed(item: Item, code: int, said: str) -> dict[str, Any]:
+def _failed(item: Item, job: Job, code: int, said: str) -> dict[str, Any]:
     if code < 0:
-        os.kill(os.getpid(), -code)   # the child did not survive the program: its parent counts it
+        if -code == signal.SIGXCPU:
+            return result(item, 'time', f'longer than {job.most_seconds:g} s')
+        os.kill(os.getpid(), -code)   # the process did not survive the program: its parent counts it
     return result(item, 'refused', said.removeprefix('kadr: '))
 
 

@@ -21,6 +21,7 @@ void add_files(const Session& session, const std::string& own, std::vector<std::
 }  // namespace
 
 FileCheck check_file(const ProgramSpec& spec) {
+  if (const std::string why = spec.refusal(); !why.empty()) throw Failed{why};
   FileCheck checked;
   const std::size_t programs = spec.count_programs();
   ChecklistBasis basis{tool_table_next_to(spec.file()), programs == 1, programs == 1};
@@ -42,11 +43,9 @@ FileCheck check_file(const ProgramSpec& spec) {
   return checked;
 }
 
-std::string remembered_control(const std::string& file) {
-  std::string fault;
-  RememberedControls remembered([&](const std::string& why) { fault = why; });
-  std::string control = remembered.of(file);
-  if (!fault.empty()) throw Failed{fault};
+std::string Remembered::of(const std::string& file) {
+  std::string control = controls_.of(file);
+  if (!fault_.empty()) throw Failed{fault_};
   return control;
 }
 

@@ -17,9 +17,20 @@ struct FileCheck {
 ///   throws  Interrupted, Failed, FileFailed
 FileCheck check_file(const ProgramSpec& spec);
 
-/// Returns the control that .kadr.toml in the program's folder, or in a folder above it, remembers; empty if there is none.
-///   throws  Failed, if a .kadr.toml has a fault
-std::string remembered_control(const std::string& file);
+/// The controls that the .kadr.toml of folders remember. Each of these files is read once.
+class Remembered {
+ public:
+  Remembered() : controls_([this](const std::string& why) { fault_ = why; }) {}
+  Remembered(const Remembered&) = delete;  // its member calls back into this object
+  Remembered& operator=(const Remembered&) = delete;
+  /// Returns the control that .kadr.toml in the program's folder, or in a folder above it, remembers; empty if there is none.
+  ///   throws  Failed, if a .kadr.toml has a fault
+  std::string of(const std::string& file);
+
+ private:
+  std::string fault_;
+  RememberedControls controls_;
+};
 
 /// Judges a file by its name as `kadr check` does for the files of a folder: "program", "nothing" (the contents decide), "other".
 std::string name_verdict(const std::string& name);

@@ -179,8 +179,10 @@ PYBIND11_MODULE(_kadr, module) {
   py::register_exception_translator(&translate);
   module.def("controls", &kadr::built_in_controls);
   module.def("machines", &kadr::built_in_machines);
-  module.def(
-      "remembered_control", [](const py::bytes& file) { return remembered_control(file); }, "file"_a);
+  py::class_<Remembered>(module, "Remembered")
+      .def(py::init<>())
+      .def(
+          "of", [](Remembered& remembered, const py::bytes& file) { return remembered.of(file); }, "file"_a);
   module.def(
       "name_verdict", [](const py::bytes& name) { return name_verdict(name); }, "name"_a);
   add_spec(module);

@@ -68,7 +68,8 @@ Tape tape_of(OpenedText text, const Grammar& grammar) {
 
 }  // namespace
 
-ProgramSpec::ProgramSpec(const ProgramRequest& request) : file_(request.file), text_(request.text), lang_(request.lang) {
+ProgramSpec::ProgramSpec(const ProgramRequest& request)
+    : file_(request.file), named_(request.control), text_(request.text), lang_(request.lang) {
   std::string id = request.control;
   if (id.empty()) {
     const Guess guess = guess_control(beginning_of(as_text(source())));
@@ -101,6 +102,11 @@ std::unique_ptr<ByteSource> ProgramSpec::source() const {
   auto source = open_file(file_);
   if (!source) throw FileFailed{errno, file_};
   return source;
+}
+
+std::string ProgramSpec::refusal() const {
+  if (named_.empty() || named_.ends_with(".toml")) return {};
+  return refused_by_control(beginning_of(as_text(source())), named_, lang_);
 }
 
 std::size_t ProgramSpec::count_programs() const {

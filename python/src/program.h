@@ -41,6 +41,10 @@ class ProgramSpec {
   const MachineProfile& machine() const { return machine_; }
   const std::string& file() const { return file_; }
   Lang lang() const { return lang_; }
+  /// Returns why Kadr refuses to read this program for the named control, as `kadr check` does: the program is for a lathe, and Kadr
+  /// reads the control as that of a mill. Empty: it does not.
+  std::string refusal() const;
+
   const std::set<std::string>& stated() const { return stated_; }  // the keys that the set-up states
   Finding finding(const AlarmReport& report) const { return finding_of(report, *texts_, lang_); }
 
@@ -49,7 +53,7 @@ class ProgramSpec {
   Setup setup_of(const ProgramRequest& request);
   std::unique_ptr<Session> open(OpenedText text, const std::atomic<bool>& stop, RunLimits limits) const;
 
-  std::string file_;
+  std::string file_, named_;  // named_: the control that the request names; empty: it was guessed
   std::optional<std::string> text_;
   Lang lang_;
   std::shared_ptr<const ControlDef> control_;
