@@ -36,7 +36,7 @@ class Archive(harness.Kadr):
     """kadr-archive, with the program under test as kadr."""
 
     def environment(self):
-        path = Path(os.environ.get('KADR_ARCHIVE_PYTHON') or Path(self.program).parent / 'python')
+        path = Path(self.program).parent / 'python'
         clean = {name: value for name, value in os.environ.items() if not name.startswith(('PYTHON', 'LC_', 'LANG'))}
         return {**clean, 'PYTHONPATH': str(path), 'PYTHONDONTWRITEBYTECODE': '1', 'KADR': self.program, 'LANG': 'C'}
 
@@ -460,30 +460,6 @@ def check_names_that_are_no_text(kadr):
         to.write(GOOD.format(3).encode())
     kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc')
     kadr.archive('run', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc')
-
-
-def check_the_pages(kadr):
-    """Runs the commands of docs/archive.md, in both languages: those of a section in order, each section in a folder of its own."""
-    for page in ('docs/archive.md', 'docs/ru/archive.md'):
-        commands = 0
-        for number, section in enumerate((ROOT / page).read_text(encoding='utf-8').split('\n## ')):
-            folder = kadr.folder / page.replace('/', '-') / str(number)
-            shutil.copytree(ROOT / 'examples', folder / 'examples')
-            tools = kadr.file(f'{folder}/bin/kadr-archive', f'#!/bin/sh\nexec {PYTHON} -m kadr_archive "$@"\n')
-            tools.chmod(0o755)
-            environment = {**kadr.environment(), 'PATH': f'{tools.parent}:{os.environ["PATH"]}'}
-            blocks = re.findall(r'(?m)^    \$ (.*)\n((?:    (?!\$ ).*\n)*)', section)
-            for command, wanted in blocks:
-                if command.startswith('sqlite3') and not shutil.which('sqlite3'):
-                    harness.skipped('a command of docs/archive.md: sqlite3 is missing')
-                    continue
-                if not re.match(r'kadr-archive (check|run|convert|diff|report|csv|runs) |sqlite3 ', command) or 'scheduler' in command:
-                    continue
-                done = subprocess.run(['sh', '-c', command], cwd=folder, env=environment, capture_output=True, encoding='utf-8', timeout=300, check=False)
-                pattern = '(.|\n)*?'.join(re.escape(part) for part in re.sub(r'(?m)^    ', '', wanted).split('…'))
-                expect(done.returncode in (0, 1) and re.fullmatch(pattern, done.stdout), f'{page}: {command}: {done.returncode} {done.stdout} {done.stderr}')
-                commands += 1
-        expect(commands > 10, f'{page}: {commands} commands')
 
 
 def check_russian(kadr):

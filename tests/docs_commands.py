@@ -29,6 +29,7 @@ import functools
 import os
 import pty
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -235,9 +236,17 @@ class Folder:
         for link, to in ((self.at / 'bin/kadr', kadr), (self.place / 'build/release/kadr', kadr), (self.place / 'examples', examples)):
             link.parent.mkdir(parents=True, exist_ok=True)
             link.symlink_to(to)
+        self.add_archive(Path(kadr).parent / 'python')
         self.environment = {**os.environ, 'PATH': f'{self.at / "bin"}:{os.environ["PATH"]}', 'LANG': 'C', 'HOME': str(self.at), 'TMPDIR': str(self.at)}
         for name in ('LC_ALL', 'LC_MESSAGES', 'LANGUAGE'):
             self.environment.pop(name, None)
+
+    def add_archive(self, python):
+        """Adds kadr-archive, if the Python binding is built."""
+        if list(python.glob('kadr/_kadr*.so')):
+            script = self.at / 'bin/kadr-archive'
+            script.write_text(f'#!/bin/sh\nPYTHONPATH={shlex.quote(str(python))} exec /usr/bin/python3 -B -m kadr_archive "$@"\n', encoding='utf-8')
+            script.chmod(0o755)
 
     def run(self, command):
         """Executes a command.  returns its status, its output as lines, and its processor time in s"""

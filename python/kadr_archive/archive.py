@@ -10,8 +10,7 @@ from . import places
 from .store import WITH_RESULT, Store
 from .work import Item, Job
 
-BATCH_PROGRAMS = 64         # a batch is short enough that a killed worker loses little,
-BATCH_BYTES = 256 << 10     # and long enough that its transport costs nothing
+BATCH_BYTES = 4 << 10       # for each program of a batch: long programs make it shorter
 MOST_SENT = 1 << 20         # bytes; the workers read a longer file themselves, if they see it
 MOST_FOLDER = 64 << 20      # bytes of called programs that are sent with a program
 SAVE_RESULTS = 500          # results in a transaction,
@@ -24,6 +23,7 @@ class Engine(Protocol):
 
     sees_files: bool
 
+    def batch_programs(self, todo: int) -> int: ...
     def results(self, batches: Iterator[list[Item]], stop: Callable[[], bool]) -> Iterator[list[dict[str, Any]]]: ...
     def close(self) -> None: ...
 
@@ -115,6 +115,7 @@ class Archive:
     def _batches(self, engine: Engine, lonely: Optional[set[bytes]] = None) -> Iterator[list[Item]]:
         """Yields batches of about the same size. With `lonely`, only these contents, with the programs of their folder."""
         self.moved = False
+        most = engine.batch_programs(int(self.store.one('SELECT COUNT(*) FROM todo')))
         sources = {source.name: source for source in self.sources}
         batch: list[Item] = []
         size = 0
@@ -134,7 +135,7 @@ class Archive:
             called = self._folder(of, folder, name) if lonely is not None else {}
             batch.append(Item(content, asked, memory, name, path, text, called, lonely is None and path is None))
             size += bytes_
-            if len(batch) >= BATCH_PROGRAMS or size >= BATCH_BYTES:
+            if len(batch) >= most or size >= most * BATCH_BYTES:
                 yield batch
                 batch, size = [], 0
         if batch:

@@ -14,6 +14,7 @@ from typing import Any, Callable, Iterable, Iterator, Optional
 from . import child
 from .work import Item, Job, result
 
+BATCH = 64            # programs; their transport costs little, and a killed client loses little
 DEATHS = 2            # a program that ends so many children is quarantined
 START_SECONDS = 120   # a busy machine starts a child slowly
 STARTS = 10           # attempts to start a child
@@ -132,6 +133,10 @@ class Local:
     """Works with processes of this computer."""
 
     sees_files = True
+
+    def batch_programs(self, todo: int) -> int:
+        """Returns how many programs a batch has: the last batches keep all processes busy."""
+        return max(1, min(BATCH, todo // (4 * self.workers)))
 
     def __init__(self, job: Job, workers: int) -> None:
         self.job = job

@@ -10,6 +10,7 @@ from .children import DEATHS, CannotWork, Child, killed, results_of
 from .work import Item, Job
 
 CONNECT_SECONDS = 30
+MOST_BATCH = 1024     # programs: some seconds, which a worker that dies has lost
 IN_FLIGHT = 3         # batches for each thread of the workers: one at work, the others on the way
 SILENT_SECONDS = 120  # without any worker for so long the run ends; the next one goes on
 
@@ -50,6 +51,10 @@ class Cluster:
             self.client = distributed.Client(timeout=CONNECT_SECONDS, set_as_default=False, name='kadr-archive', **where)
         except (OSError, ValueError) as error:
             raise CannotWork(f'{scheduler or scheduler_file}: {error}') from None
+
+    def batch_programs(self, todo: int) -> int:
+        """Returns how many programs a batch has: scheduler and client need some milliseconds for each, a worker for each program."""
+        return max(1, min(MOST_BATCH, todo // (20 * max(1, self.threads()))))
 
     def threads(self) -> int:
         return sum(self.client.nthreads().values())

@@ -9,7 +9,7 @@ import tempfile
 import time
 from collections import Counter
 from pathlib import Path
-from typing import Any, Iterable, NamedTuple
+from typing import Any, Iterable, NamedTuple, Optional
 
 from . import places, texts
 from .progress import Bar
@@ -51,7 +51,8 @@ class Group(NamedTuple):
     file: str
     programs: int
     times: int
-    seconds: float
+    seconds: Optional[float]
+    severity: str
 
 
 class Report:
@@ -70,13 +71,13 @@ class Report:
             'SELECT machine, setup, kadr, begun FROM runs JOIN jobs USING (job) WHERE run = :run', run).fetchone()
 
     def groups(self, kind: str, query: str) -> list[Group]:
-        """Returns the groups of a query with the columns name, programs, times, seconds."""
+        """Returns the groups of a query with the columns name, programs, times, seconds, severity."""
         made = []
-        for name, programs, times, seconds in self.store.rows(query):
+        for name, programs, times, seconds, severity in self.store.rows(query):
             safe = ''.join(c if c.isascii() and (c.isalnum() or c in '-_') else '-' for c in str(name)) or 'none'
             file = f'{kind}-{safe}'
             self.names[file] += 1
-            made.append(Group(str(name), f'{file}.html' if self.names[file] == 1 else f'{file}-{self.names[file]}.html', programs, times, seconds or 0))
+            made.append(Group(str(name), f'{file}.html' if self.names[file] == 1 else f'{file}-{self.names[file]}.html', programs, times, seconds, severity))
         return made
 
     def rows(self, where: str, values: Iterable[Any]) -> list[Row]:
@@ -107,11 +108,12 @@ def duration(seconds: Any) -> str:
 
 
 QUERIES = {
-    'state': ('SELECT state, COUNT(*), COUNT(*), SUM(seconds) FROM shown LEFT JOIN timed USING (place) GROUP BY state ORDER BY 2 DESC, 1', 'state = ?'),
-    'finding': ('SELECT id, COUNT(DISTINCT place), COUNT(*), 0 FROM shown s JOIN findings f ON f.result = s.result GROUP BY id ORDER BY 2 DESC, 1',
+    'state': ("SELECT state, COUNT(*), COUNT(*), SUM(seconds), '' FROM shown LEFT JOIN timed USING (place) GROUP BY state ORDER BY 2 DESC, 1", 'state = ?'),
+    'finding': ('SELECT id, COUNT(DISTINCT place), COUNT(*), NULL, severity FROM shown s JOIN findings f ON f.result = s.result GROUP BY id '
+                "ORDER BY instr('alarm warning advice note', severity), 2 DESC, 1",
                 's.result IN (SELECT result FROM findings WHERE id = ?)'),
-    'control': ("SELECT control, COUNT(*), COUNT(*), SUM(seconds) FROM shown LEFT JOIN timed USING (place) GROUP BY control ORDER BY 2 DESC, 1", 'control = ?'),
-    'tool': ('SELECT tool, COUNT(DISTINCT place), COUNT(*), SUM(cutting) FROM timed t JOIN tools o ON o.result = t.result GROUP BY tool ORDER BY tool',
+    'control': ("SELECT control, COUNT(*), COUNT(*), SUM(seconds), '' FROM shown LEFT JOIN timed USING (place) GROUP BY control ORDER BY 2 DESC, 1", 'control = ?'),
+    'tool': ("SELECT tool, COUNT(DISTINCT place), COUNT(*), SUM(cutting), '' FROM timed t JOIN tools o ON o.result = t.result GROUP BY tool ORDER BY tool",
              't.result IN (SELECT result FROM tools WHERE tool = CAST(? AS INTEGER))'),
 }
 
@@ -173,7 +175,7 @@ def make_pages(report: Report, workers: int) -> int:
             except (OSError, KeyError, ValueError) as error:
                 write(report.out / 'programs' / page, plain_page(name, str(error)))
                 continue
-            waiting.append(pool.submit(make_page, program, report, page, name, path, text, control, reason))
+            waiting.append(pool.submit(make_page, program, report, page, name, path, text, control, asked, reason))
         for future in concurrent.futures.as_completed(waiting):
             future.result()
             bar.add(1)
@@ -181,13 +183,13 @@ def make_pages(report: Report, workers: int) -> int:
     return len(missing)
 
 
-def make_page(program: str, report: Report, page: str, name: str, path: Any, text: bytes, control: str, reason: str) -> None:
+def make_page(program: str, report: Report, page: str, name: str, path: Any, text: bytes, control: str, asked: str, reason: str) -> None:
     with tempfile.TemporaryDirectory(prefix='kadr-archive-') as folder:
         if path is None:
             path = f'{folder}/{os.path.basename(places.as_path(name))}'
             Path(path).write_bytes(text)
         command = [program, 'report', path, '--out', f'{folder}/page.html', '-q', '--lang', texts.LANGUAGE]
-        if control and ':' not in control:
+        if control and ':' not in asked:
             command += ['--control', control]
         if ':' not in report.machine:
             command += ['--machine', report.machine]
