@@ -60,7 +60,7 @@ class Archive(harness.Kadr):
 
     def made_now(self, done):
         """Returns how many programs a run has worked on."""
-        return int(re.search(r'(\d+) worked on now', done.stdout)[1])
+        return int(re.search(r'worked on now: (\d+)', done.stdout)[1])
 
     def everything(self, file='a.sqlite'):
         """Returns all results with their findings, in an order that does not depend on who computed them first."""
@@ -169,6 +169,32 @@ def check_zip_and_list(kadr):
         rows = kadr.db('SELECT name, state, alarms FROM present ORDER BY name', file=file)
         expect(len(rows) == count and ('O1.nc', 'ok', 0) in rows, f'{source}: {rows}')
         expect(sum(state == 'alarm' for _, state, _ in rows) == 4, f'{source}: {rows}')
+
+
+def check_damaged_zip_files(kadr):
+    with zipfile.ZipFile(kadr.folder / 'a.zip', 'w', zipfile.ZIP_DEFLATED) as packed:
+        for i in range(5):
+            packed.writestr(f'p{i}.ngc', GOOD.format(i) * 20)
+    content = bytearray((kadr.folder / 'a.zip').read_bytes())
+    at = content.find(b'p2.ngc') + len('p2.ngc')
+    content[at:at + 20] = bytes(20)
+    kadr.file('member.zip', bytes(content))
+    kadr.file('end.zip', bytes(content[:-200]) + b'PK\5\6' + bytes(18))
+    kadr.archive('check', 'member.zip', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=2)
+    rows = kadr.db('SELECT name, state, fault IS NULL FROM present ORDER BY name')
+    expect(rows == [(f'p{i}.ngc', None if i == 2 else 'ok', i != 2) for i in range(5)], rows)
+    said = kadr.archive('check', 'end.zip', '--db', 'b.sqlite', '--control', 'linuxcnc', expected=2)
+    expect('Traceback' not in said.stderr, said.stderr)
+
+
+def check_two_clients_at_once(kadr):
+    some_programs(kadr, 'a', 150)
+    kadr.archive('check', 'a', '--db', 'whole.sqlite', expected=1)
+    both = [kadr.begin('check', 'a', '--db', 'a.sqlite', '--workers', '1') for _ in range(2)]
+    for process in both:
+        expect(process.wait(300) == 1, f'exit status {process.returncode}: {process.stderr.read()[-800:]}')
+    expect(kadr.everything('a.sqlite') == kadr.everything('whole.sqlite'), 'the results differ')
+    expect(kadr.db('SELECT COUNT(*) FROM places WHERE until IS NULL') == [(150,)], 'places twice')
 
 
 def check_hostile_programs(kadr):
@@ -379,6 +405,10 @@ def check_run(kadr):
         theirs = json.loads(kadr.call('run', f'a/{name}', '--control', 'haas', '--json').stdout)
         ours = json.loads(summary)
         expect(ours['program'] == name and {**ours, 'program': ''} == {**theirs, 'program': ''} and seconds == theirs['machining_time'], f'{name}: {ours}')
+    rows = list(csv.DictReader(io.StringIO(kadr.archive('csv', 'extents', '--db', 'a.sqlite').stdout)))
+    theirs = json.loads(kadr.call('run', 'a/face.nc', '--control', 'haas', '--json').stdout)['channels'][0]['cutting'][0]['axes']['X']
+    ours = [[float(row['from']), float(row['to'])] for row in rows if (row['program'], row['of'], row['axis']) == ('face.nc', 'cutting', 'X')]
+    expect(ours == [theirs], f'{ours} instead of {theirs}')
     tools = kadr.db('SELECT DISTINCT tool FROM tools')
     expect(tools, 'no tools')
 
@@ -388,15 +418,15 @@ def check_difference(kadr):
     kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)
     kadr.archive('diff', '--db', 'a.sqlite', expected=2)   # one run only
     kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)
-    expect('0 programs differ' in kadr.archive('diff', '--db', 'a.sqlite').stdout, 'the same archive differs')
+    expect('programs that differ: 0' in kadr.archive('diff', '--db', 'a.sqlite').stdout, 'the same archive differs')
     kadr.file('a/1/p1.ngc', WRONG.format(77))
     kadr.file('a/new.ngc', GOOD.format(78))
     (kadr.folder / 'a/2/p2.ngc').unlink()
     kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)
     said = kadr.archive('diff', '--db', 'a.sqlite', expected=1).stdout
-    for line in ('1/p1.ngc: text differs; without errors → with errors; + 4: ', 'new.ngc: new', '2/p2.ngc: missing now', '3 programs differ'):
+    for line in ('1/p1.ngc: text differs; without errors → with errors; + 4: ', 'new.ngc: new', '2/p2.ngc: missing now', 'programs that differ: 3'):
         expect(line in said, f'{line}: {said}')
-    expect('0 programs differ' in kadr.archive('diff', '--db', 'a.sqlite', '--from', '1', '--to', '2').stdout, 'earlier states are not kept')
+    expect('programs that differ: 0' in kadr.archive('diff', '--db', 'a.sqlite', '--from', '1', '--to', '2').stdout, 'earlier states are not kept')
 
 
 def check_convert(kadr):
@@ -450,7 +480,7 @@ def check_report(kadr):
     for words in ('linuxcnc', 'generic', 'By tool', '<td class="number">4</td>'):
         expect(words in index, f'{words}: not in the report')
     before = {page: page.stat().st_mtime_ns for page in (kadr.folder / 'en/programs').iterdir()}
-    expect('0 of them made now' in kadr.archive('report', '--run', '1', '--db', 'a.sqlite', '--out', kadr.folder / 'en').stdout, 'pages made twice')
+    expect('made now: 0' in kadr.archive('report', '--run', '1', '--db', 'a.sqlite', '--out', kadr.folder / 'en').stdout, 'pages made twice')
     expect(before == {page: page.stat().st_mtime_ns for page in (kadr.folder / 'en/programs').iterdir()}, 'pages written twice')
 
 
@@ -465,7 +495,7 @@ def check_names_that_are_no_text(kadr):
 def check_russian(kadr):
     some_programs(kadr, 'a', 3)
     said = kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', '--lang', 'ru', expected=1).stdout
-    expect(said == 'программ 3, обработано сейчас 3: без ошибок 2, с ошибками 1\n', said)
+    expect(said == 'программ: 3, обработано сейчас: 3; без ошибок 2, с ошибками 1\n', said)
 
 
 if __name__ == '__main__':

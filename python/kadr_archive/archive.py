@@ -69,7 +69,7 @@ class Archive:
     def _scan(self, run: int) -> None:
         self.progress.begin('finding', None)
         for source in self.sources:
-            places.Scan(self.store, run, self.choice, self.progress.add).take(source)
+            places.Scan(self.store, run, self.choice, self.progress.add, self.stop).take(source)
         self.progress.end()
 
     def _find_todo(self, first: bool) -> int:

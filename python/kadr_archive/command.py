@@ -5,6 +5,7 @@ import argparse
 import json
 import os
 import signal
+import sqlite3
 import sys
 from pathlib import Path
 from types import FrameType
@@ -62,7 +63,7 @@ def arguments(given: Optional[Sequence[str]]) -> argparse.Namespace:
     of.add_argument('--rows', type=int, default=200, metavar='N', help=texts.of('rows'))
     of.add_argument('--workers', type=int, default=os.cpu_count() or 1, metavar='N', help=texts.of('workers'))
     of = commands.add_parser('csv', help=texts.of('csv_help'), description=texts.of('csv_help'))
-    of.add_argument('what', choices=('programs', 'findings', 'tools'))
+    of.add_argument('what', choices=('programs', 'findings', 'tools', 'extents'))
     of.add_argument('--db', type=Path, required=True, metavar='FILE', help=texts.of('db'))
     of.add_argument('--run', type=int, metavar='RUN', help=texts.of('which_run'))
     of.add_argument('--out', type=Path, metavar='FILE', help=texts.of('csv_out'))
@@ -167,7 +168,7 @@ def work(of: argparse.Namespace) -> int:
         from .output import write_all
         write_all(store, number, sources, of.out)
     if not of.quiet:
-        print(in_words(counts, done))
+        print(in_words(counts, done, job.what))
     for source in sources:
         source.close()
     store.close()
@@ -189,11 +190,11 @@ def totals(store: Store, job: int, names: list[str]) -> dict[str, int]:
     return counts
 
 
-def in_words(counts: dict[str, int], done: int) -> str:
+def in_words(counts: dict[str, int], done: int, what: str) -> str:
     total = sum(count for state, count in counts.items() if state != 'warned')
-    parts = [f'{texts.of(state)} {counts[state]}' for state in
+    parts = [f'{texts.state(state, what)} {counts[state]}' for state in
              ('ok', 'warned', 'alarm', 'unknown', 'refused', 'time', 'memory', 'killed', 'unreadable', 'undone') if counts.get(state)]
-    return texts.of('totals').format(total, done) + ('' if not parts else ': ' + ', '.join(parts))
+    return texts.of('totals').format(total, done) + ('' if not parts else '; ' + ', '.join(parts))
 
 
 def status(counts: dict[str, int], faults: bool, strict: bool) -> int:
@@ -214,6 +215,9 @@ def main(given: Optional[Sequence[str]] = None) -> int:
         return shown.SHOW[of.command](of)
     except (Wrong, WrongFile, CannotWork, OSError, ValueError) as error:
         print(f'kadr-archive: {error}', file=sys.stderr)
+        return WRONG
+    except sqlite3.Error as error:
+        print(f'kadr-archive: {getattr(of, "db", "")}: {error}', file=sys.stderr)
         return WRONG
     except ImportError as error:
         print(f'kadr-archive: {error}: {texts.of("package")}', file=sys.stderr)

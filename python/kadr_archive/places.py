@@ -7,6 +7,7 @@ import os
 import stat
 import time
 import zipfile
+import zlib
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Callable, Iterator, NamedTuple, Optional, Union
@@ -91,6 +92,7 @@ class Folder:
     def __init__(self, path: Path) -> None:
         self.name = str(path.resolve())
         self.faults: list[str] = []
+        self.lost: list[str] = []   # folders that could not be read: nothing is known of their programs
 
     def folders(self) -> Iterator[tuple[str, list[Entry]]]:
         waiting = ['']
@@ -109,6 +111,7 @@ class Folder:
                             entries.append(Entry(as_text(at.name), of.st_size, of.st_mtime_ns, lambda path=at.path: Path(path).read_bytes()))
             except OSError as error:
                 self.faults.append(str(error))
+                self.lost.append(folder)
                 continue
             waiting += sorted(below, reverse=True)
             yield folder, sorted(entries)
@@ -129,7 +132,11 @@ class Zip:
     def __init__(self, path: Path) -> None:
         self.name = str(path.resolve())
         self.faults: list[str] = []
-        self.zip = zipfile.ZipFile(path)
+        self.lost: list[str] = []
+        try:
+            self.zip = zipfile.ZipFile(path)
+        except (zipfile.BadZipFile, NotImplementedError) as error:
+            raise OSError(f'{path}: {error}') from None
 
     def folders(self) -> Iterator[tuple[str, list[Entry]]]:
         by_folder: dict[str, dict[str, Entry]] = {}
@@ -147,7 +154,7 @@ class Zip:
         try:
             with self.zip.open(of) as member:
                 content = member.read(MOST_BYTES + 1)   # the size in the directory may be wrong, on purpose too
-        except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError) as error:
+        except (zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError, zlib.error) as error:
             raise OSError(f'{of.filename}: {error}') from None
         if len(content) > MOST_BYTES:
             raise OSError(f'{of.filename}: {WHY_LONG}')
@@ -170,6 +177,7 @@ class List:
         self.name = str(path.resolve())
         self.root = path.resolve().parent
         self.faults: list[str] = []
+        self.lost: list[str] = []
         lines = path.read_text(encoding='utf-8', errors='surrogateescape').splitlines()
         self.files = sorted({os.path.normpath(line.strip()) for line in lines if line.strip() and not line.startswith('#')})
 
@@ -224,16 +232,15 @@ def is_program_name(name: str) -> bool:
 class Scan:
     """Brings the table `places` up to date with a source, a folder at a time."""
 
-    def __init__(self, store: Store, run: int, choice: Choice, seen: Callable[[int], None]) -> None:
+    def __init__(self, store: Store, run: int, choice: Choice, seen: Callable[[int], None], stop: Callable[[], bool]) -> None:
         self.store = store
         self.run = run
         self.choice = choice
         self.seen = seen
-        self.unreadable = 0
-        self.count = 0
+        self.stop = stop
 
     def take(self, source: Source) -> None:
-        """Reads the source. Folders that are not there any more are closed at the end."""
+        """Reads the source. Folders that are not there any more are closed at the end; those that cannot be read are left as they were."""
         begun = time.time_ns()
         known = {folder for folder, in self.store.rows('SELECT DISTINCT folder FROM places WHERE source = ? AND until IS NULL', (source.name,))}
         waiting: list[tuple[str, list[Entry]]] = []
@@ -243,7 +250,10 @@ class Scan:
             if sum(len(of) for _, of in waiting) >= 2000:   # many small folders share a transaction
                 self._take_folders(source, waiting, begun)
                 waiting = []
+            if self.stop():
+                return
         self._take_folders(source, waiting, begun)
+        known = {folder for folder in known if not any(folder.startswith(lost) for lost in source.lost)}
         with self.store.changes():
             for folder in known:
                 self._take_folder(source, folder, [], begun)

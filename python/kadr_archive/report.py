@@ -67,8 +67,8 @@ class Report:
         store.db.execute(PROGRAMS, run)
         store.db.execute('DROP TABLE IF EXISTS temp.timed')
         store.db.execute(TIMED)
-        self.machine, self.setup, self.kadr, self.begun = store.db.execute(
-            'SELECT machine, setup, kadr, begun FROM runs JOIN jobs USING (job) WHERE run = :run', run).fetchone()
+        self.what, self.machine, self.setup, self.kadr, self.begun = store.db.execute(
+            'SELECT what, machine, setup, kadr, begun FROM runs JOIN jobs USING (job) WHERE run = :run', run).fetchone()
 
     def groups(self, kind: str, query: str) -> list[Group]:
         """Returns the groups of a query with the columns name, programs, times, seconds, severity."""
@@ -88,7 +88,7 @@ class Report:
                 f'WHERE {where} ORDER BY source, folder, name LIMIT ?', (*values, self.most)).fetchall():
             first = self.store.db.execute("SELECT line, text FROM findings WHERE result = ? ORDER BY severity <> 'alarm', number LIMIT 1", (result,)).fetchone()
             page = self._page(place, content, control or asked, folder)
-            rows.append(Row(folder + name, size, texts.of(state), control, duration(seconds), reason or (f'{first[0]}: {first[1]}' if first else ''), page))
+            rows.append(Row(folder + name, size, texts.state(state, self.what), control, duration(seconds), reason or (f'{first[0]}: {first[1]}' if first else ''), page))
         return rows
 
     def _page(self, place: int, content: Any, control: str, folder: str) -> str:
@@ -132,7 +132,7 @@ def write_report(store: Store, run: dict[str, Any], out: Path, rows: int, worker
         tables[kind] = report.groups(kind, query)
         for group in tables[kind]:
             listed = report.rows(where, (group.name,))
-            title = texts.of(group.name) if kind == 'state' else group.name or texts.of('unknown')
+            title = texts.state(group.name, report.what) if kind == 'state' else group.name or texts.of('unknown')
             write(out / group.file, group_page.render(title=title, kind=kind, rows=listed, total=group.programs))
     total = store.one('SELECT COUNT(*) FROM shown')
     timed, seconds = store.db.execute('SELECT COUNT(*), SUM(seconds) FROM timed').fetchone()
@@ -141,7 +141,7 @@ def write_report(store: Store, run: dict[str, Any], out: Path, rows: int, worker
                           "WHERE j.what = 'check' GROUP BY machine ORDER BY machine").fetchall()
     write(out / 'index.html', environment.get_template('index.html').render(
         sources=json.loads(run['sources']), kadr=report.kadr.partition('+')[0], run=run['run'], when=time.strftime('%Y-%m-%d %H:%M', time.localtime(report.begun)),
-        total=total, timed=timed, seconds=seconds or 0, tables=tables, machines=machines))
+        what=report.what, state=texts.state, total=total, timed=timed, seconds=seconds or 0, tables=tables, machines=machines))
     made = make_pages(report, workers)
     print(texts.of('report_made').format(out / 'index.html', len(report.pages), made))
     return 0

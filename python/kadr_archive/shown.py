@@ -75,9 +75,20 @@ def tools_rows(store: Store, run: dict[str, Any]) -> Iterator[tuple[Any, ...]]:
             yield (place[0], place[1], *row)
 
 
+def extents_rows(store: Store, run: dict[str, Any]) -> Iterator[tuple[Any, ...]]:
+    for place in store.rows(PROGRAMS, run):
+        summary = store.one('SELECT summary FROM results WHERE result = ?', (place[6],))
+        for channel in json.loads(summary)['channels'] if summary else ():
+            for of in ('cutting', 'all'):
+                for box in channel[of]:
+                    for axis, ends in box['axes'].items():
+                        yield (place[0], place[1], channel['channel'], of, box['system'], axis, *ends)
+
+
 TABLE = {
     'programs': (('source', 'program', 'sha256', 'control', 'state', 'alarms', 'warnings', 'advices', 'seconds', 'reason'), programs_rows),
     'findings': (('source', 'program', 'control', 'severity', 'id', 'file', 'line', 'column', 'block', 'number', 'text', 'hint'), findings_rows),
+    'extents': (('source', 'program', 'channel', 'of', 'system', 'axis', 'from', 'to'), extents_rows),
     'tools': (('source', 'program', 'tool', 'cutting'), tools_rows),
 }
 
@@ -91,9 +102,10 @@ def diff(of: argparse.Namespace) -> int:
     before = run_of(store, of.before if of.before is not None else _run_before(store, after))
     old = store.db.cursor().execute(STATE, before)
     new = store.db.cursor().execute(STATE, after)
+    what = store.one('SELECT what FROM jobs WHERE job = ?', (after['job'],))
     differs = 0
     for a, b in _pairs(old, new):
-        line = _difference(store, a, b)
+        line = _difference(store, what, a, b)
         if line:
             differs += 1
             print(line)
@@ -126,7 +138,7 @@ def _pairs(old: Any, new: Any) -> Iterator[tuple[Optional[tuple[Any, ...]], Opti
             b = next(new, None)
 
 
-def _difference(store: Store, a: Optional[tuple[Any, ...]], b: Optional[tuple[Any, ...]]) -> str:
+def _difference(store: Store, what: str, a: Optional[tuple[Any, ...]], b: Optional[tuple[Any, ...]]) -> str:
     if a is None or b is None:
         there = a or b or ()
         return f'{there[1]}: {texts.of("missing" if b is None else "new")}'
@@ -136,7 +148,7 @@ def _difference(store: Store, a: Optional[tuple[Any, ...]], b: Optional[tuple[An
     if a[4] != b[4]:
         parts.append(f'{a[4] or "?"} → {b[4] or "?"}')
     if a[5] != b[5]:
-        parts.append(f'{_state(a)} → {_state(b)}')
+        parts.append(f'{_state(a, what)} → {_state(b, what)}')
     if abs(a[7] - b[7]) > 1e-6 * max(1.0, abs(a[7])):
         parts.append(f'{a[7]:.1f} s → {b[7]:.1f} s')
     if a[6] != b[6]:
@@ -145,8 +157,8 @@ def _difference(store: Store, a: Optional[tuple[Any, ...]], b: Optional[tuple[An
     return f'{b[1]}: {"; ".join(parts)}' if parts else ''
 
 
-def _state(row: tuple[Any, ...]) -> str:
-    return texts.of(row[5]) if row[5] else texts.of('unreadable' if row[3] else 'undone')
+def _state(row: tuple[Any, ...], what: str) -> str:
+    return texts.state(row[5], what) if row[5] else texts.of('unreadable' if row[3] else 'undone')
 
 
 def _found(store: Store, result: Optional[int]) -> set[str]:

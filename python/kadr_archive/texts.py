@@ -44,10 +44,12 @@ ALL: dict[str, tuple[str, str]] = {
     'interrupted': ('kadr-archive: interrupted; what is done is kept, and the next run goes on from there',
                     'kadr-archive: прервано; сделанное сохранено, следующий прогон продолжит'),
     'package': ('install the packages that docs/archive.md names', 'установите пакеты, названные в docs/archive.md'),
-    'totals': ('{} programs, {} worked on now', 'программ {}, обработано сейчас {}'),
+    'totals': ('programs: {}, worked on now: {}', 'программ: {}, обработано сейчас: {}'),
     'ok': ('without errors', 'без ошибок'),
     'warned': ('of these with warnings', 'из них с предупреждениями'),
     'alarm': ('with errors', 'с ошибками'),
+    'ok_convert': ('converted and proven', 'переведено и доказано'),
+    'alarm_convert': ('not converted', 'не переведено'),
     'unknown': ('of no known control', 'неизвестного УЧПУ'),
     'refused': ('refused', 'отклонено'),
     'time': ('over the time limit', 'превысили предел времени'),
@@ -62,7 +64,7 @@ ALL: dict[str, tuple[str, str]] = {
     'missing': ('missing now', 'больше нет'),
     'new': ('new', 'новая'),
     'text_differs': ('text differs', 'текст изменён'),
-    'differences': ('{} programs differ between run {} and run {}', 'различаются программ: {}, прогоны {} и {}'),
+    'differences': ('programs that differ: {} (runs {} and {})', 'различаются программ: {} (прогоны {} и {})'),
     'page_title': ('Archive of programs', 'Архив программ'),
     'state': ('result', 'результат'),
     'finding': ('finding', 'замечание'),
@@ -93,7 +95,7 @@ ALL: dict[str, tuple[str, str]] = {
     'overview': ('Overview', 'Обзор'),
     'sources_are': ('Sources', 'Источники'),
     'made_by': ('Kadr {}, run {} of {}', 'Kadr {}, прогон {} от {}'),
-    'report_made': ('{}: {} pages of programs, {} of them made now', '{}: страниц программ {}, из них сделано сейчас {}'),
+    'report_made': ('{}: pages of programs: {}, made now: {}', '{}: страниц программ: {}, сделано сейчас: {}'),
     'bar_finding': ('finding', 'поиск'),
     'bar_check': ('checking', 'проверка'),
     'bar_run': ('running', 'исполнение'),
@@ -108,6 +110,11 @@ def choose(words: list[str]) -> None:
     given = next((b for a, b in zip(words, words[1:]) if a == '--lang'), None) or next((w[7:] for w in words if w.startswith('--lang=')), None)
     environment = os.environ.get('LC_ALL') or os.environ.get('LC_MESSAGES') or os.environ.get('LANG') or ''
     LANGUAGE = given if given in ('en', 'ru') else 'ru' if environment.startswith('ru') else 'en'
+
+
+def state(name: str, what: str) -> str:
+    """Returns the words for the state of a result of `check`, `run` or `convert`."""
+    return of(f'{name}_{what}' if f'{name}_{what}' in ALL else name)
 
 
 def of(key: str) -> str:
