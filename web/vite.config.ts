@@ -1,10 +1,11 @@
 // The page is one folder of files without version hashes in their names: the server embeds it like the control files.
 import { defineConfig } from "vite";
 import { notices } from "./bundling/notices";
+import { at_most } from "./bundling/size";
 
 export default defineConfig({
   base: "./",
-  plugins: [notices("report/page-parts.json")],
+  plugins: [notices("report/page-parts.json"), at_most()],
   build: {
     target: "es2022",
     outDir: "dist",

@@ -64,8 +64,9 @@ class ServedFolder : public FileAccess {
   int open_for_reading(const std::string& path) const override;
   bool reaches(const std::string& path) const override { return beneath(path).has_value(); }
   tl::expected<FileText, std::string> read(const std::string& file, std::size_t most) const;
-  /// Returns the digest of a file. The digest of a long file depends only on the file's size and the time of its last change.
-  tl::expected<FileDigest, std::string> digest(const std::string& file) const;
+  /// Returns the digest of a file. The digest of a long file depends only on the file's size and the time of its last change. If these are
+  /// those of the digest `known`, the file is not read.
+  tl::expected<FileDigest, std::string> digest(const std::string& file, const FileDigest& known = "") const;
 
   struct Refused {
     std::string text;
@@ -75,6 +76,20 @@ class ServedFolder : public FileAccess {
   ///   replaces  digest that the replaced file must have; nullopt: no file of this name may exist
   ///   returns   digest of the saved file
   tl::expected<FileDigest, Refused> save(const std::string& file, std::string_view text, const std::optional<FileDigest>& replaces) const;
+
+  // ---- in folder_changes.cpp; Refused::changed: a file of the new name exists
+  /// Gives a file another name, or moves it to another folder. A file is never replaced.
+  tl::expected<void, Refused> rename(const std::string& file, const std::string& to) const;
+  /// Copies a file of up to max_copied bytes under a new name.
+  tl::expected<FileDigest, Refused> duplicate(const std::string& file, const std::string& to) const;
+  /// Moves a file to the trash, the hidden folder `.kadr-trash` in the served folder.
+  ///   returns  a name for restore()
+  tl::expected<std::string, Refused> remove(const std::string& file) const;
+  /// Moves a file from the trash to the place where it was.
+  tl::expected<void, Refused> restore(const std::string& trash, const std::string& file) const;
+  /// Creates a folder, unless it exists.
+  tl::expected<void, Refused> make_folder(const std::string& folder) const;
+  static constexpr std::size_t max_copied = std::size_t{64} << 20;
 
  private:
   ServedFolder(int fd, std::string path, std::string name) : fd_(fd), path_(std::move(path)), name_(std::move(name)) {}

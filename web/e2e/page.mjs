@@ -14,6 +14,7 @@ import { part_steps } from "./part_steps.mjs";
 import { setup_steps } from "./setup_steps.mjs";
 import { rotary_steps } from "./rotary_steps.mjs";
 import { view_steps } from "./view_steps.mjs";
+import { file_steps } from "./file_steps.mjs";
 import { figure_steps } from "./figure_steps.mjs";
 import { lathe_steps } from "./lathe_steps.mjs";
 import { list_steps } from "./list_steps.mjs";
@@ -187,9 +188,10 @@ const alone = only || (wanted && wanted !== "view"); // no program is open when 
 const place = { kadr, page, pictures, examples, only: alone };
 // Each group runs alone, in a browser of its own (tests/page_in_browser.py), or all of them in this order. The build reads
 // this line: each name is a test.
-const group_names = ["view", "text", "figures", "setup", "panel", "making"];
+const group_names = ["view", "files", "text", "figures", "setup", "panel", "making"];
 const groups = {
   view: { ...main_steps, ...rotary_steps({ kadr, page, pictures, only }) },
+  files: file_steps(place),
   text: text_steps(place),
   figures: { ...figure_steps(place), ...lathe_steps(place) },
   setup: setup_steps(place),

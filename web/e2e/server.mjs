@@ -98,6 +98,7 @@ export async function real(kadr, examples) {
     prepare: (page) => page_from(page, process.env.DIST),
     put: (name, text) => writeFileSync(join(folder, name), text),
     got: (name) => readFileSync(join(folder, name), "utf8"),
+    folder,
     path: ["cut", "plate.nc"],
     line: "N60 G777 Z0",
     before: "N60 G1 Z0 F400",

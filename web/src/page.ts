@@ -3,6 +3,8 @@ import "uplot/dist/uPlot.min.css";
 import "./style/base.css";
 import "./style/panes.css";
 import "./style/scene_pane.css";
+import "./style/files.css";
+import "./style/start.css";
 import "./style/lists.css";
 import "./style/cut.css";
 import "./style/setup.css";
@@ -16,8 +18,10 @@ import "./style/making.css";
 import "./style/edit.css";
 import "./style/print.css";
 import { App } from "./model/app";
+import { Live } from "./model/live";
 import { is_of_cut } from "./model/listed";
 import { shape_of, with_inserts, type Shape } from "./model/tool_shape";
+import { DiskWatch } from "./model/disk_watch";
 import { remember, remembered } from "./model/memory";
 import type { Socket } from "./protocol/client";
 import type { Problem } from "./protocol/types";
@@ -33,6 +37,7 @@ import { banner } from "./ui/banner";
 import { show_compare } from "./ui/compare";
 import { ConvertDialog } from "./ui/converting";
 import { CutPanel } from "./ui/cut_panel";
+import { disk_notice } from "./ui/disk_notice";
 import { FilesDrawer } from "./ui/files";
 import { show_help } from "./ui/help";
 import { listen_keys, step_mark } from "./ui/keys";
@@ -47,11 +52,13 @@ import { ProblemsPanel } from "./ui/problems_panel";
 import { ScenePane } from "./ui/scene_pane";
 import { save } from "./ui/save";
 import { show_sheet } from "./ui/sheet";
+import { Start } from "./ui/start";
 import { StatePane } from "./ui/state_pane";
 import { SummaryPanel } from "./ui/summary";
 import { show_from_tape, show_to_tape } from "./ui/tape";
 import { timeline } from "./ui/timeline";
 import { toast } from "./ui/toast";
+import { show_tour } from "./ui/tour";
 import { Topbar } from "./ui/topbar";
 import { offer_unsaved } from "./ui/unsaved";
 
@@ -71,7 +78,11 @@ const scene_pane = new ScenePane(app, (v) => {
   if (v.file === 0) source.show(v.line);
 });
 const scene = scene_pane.scene;
-const source = new SourcePane(app, (line, file) => void go_to_line(line, file), { view: editor_view, fix: apply_fix });
+const source = new SourcePane(app, (line, file) => void go_to_line(line, file), {
+  view: editor_view,
+  fix: apply_fix,
+  save_as: () => files.save_as(),
+});
 const state = new StatePane(app, (line, file) => void go_to_line(line, file));
 const problems = new ProblemsPanel(app, jump_to, (fix) => source.fix(fix));
 const cut = new CutPanel(
@@ -119,6 +130,8 @@ const files = new FilesDrawer(app, {
     );
   },
 });
+const compared = { begin: () => scene?.clearPath(1), line: (n: number) => void go_to_line(n, 0) };
+source.tell_above(disk_notice(app, new DiskWatch(app), (name, text) => show_compare(app, compared, { name, text })));
 const top = new Topbar(app, {
   files: () => {
     files.element.hidden = !files.element.hidden;
@@ -132,9 +145,9 @@ const top = new Topbar(app, {
       end_paths: () => scene?.clearPath(1),
     });
   },
-  compare: () => show_compare(app, { begin: () => scene?.clearPath(1), line: (n) => void go_to_line(n, 0) }),
+  compare: () => show_compare(app, compared),
   setup: () => tabs.choose("setup_tab"),
-  help: show_help,
+  help: () => show_help(show_tour),
   operator: () => mode.set(true),
   theme: (dark) => scene?.setTheme(dark),
 });
@@ -223,17 +236,27 @@ const mode = operator_screen(app, operator, {
   source: source.element,
   problems: problems.element,
   show_line: (line) => source.show(line),
-  help: show_help,
+  help: () => show_help(show_tour),
 });
 listen_keys(app, player, {
   view: (name) => scene?.view(name),
   measure: () => scene_pane.toggle_measure(),
   rapids: () => scene_pane.toggle_rapids(),
-  help: show_help,
+  help: () => show_help(show_tour),
   save: () => void save(app),
+  save_as: () => files.save_as(),
   leave: () => scene_pane.leave(),
   next_pane,
 });
+const start = new Start(app, {
+  new_program: () => files.new_program(),
+  upload: () => files.upload.choose(),
+  tour: show_tour,
+});
+source.tell_above(start.element);
+const live = new Live(app);
+live.on_old.on((old) => scene_pane.tell_old(old));
+files.upload.listen(document.body);
 offer_unsaved(app);
 window.addEventListener("beforeunload", (e) => {
   app.keep_place();

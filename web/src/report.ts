@@ -86,7 +86,7 @@ function show(report: Report): void {
   const top = new Topbar(app, {
     sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
     licences: () => show_licences(data.licences),
-    help: show_help,
+    help: () => show_help(),
     theme: (dark) => scene?.setTheme(dark),
   });
   const told = h("div", { class: "report-told note" });
@@ -139,7 +139,7 @@ function show(report: Report): void {
     view: (name) => scene?.view(name),
     measure: () => scene_pane.toggle_measure(),
     rapids: () => scene_pane.toggle_rapids(),
-    help: show_help,
+    help: () => show_help(),
     save: () => undefined,
     leave: () => scene_pane.leave(),
     next_pane,

@@ -106,3 +106,41 @@ test("a cut is of the text that is shown: it is run first, unless it was run", a
   await answer("open", { file: "a.nc", text: "G1 X2", digest: "1" });
   expect(asked()).toEqual(["open", "cut", "open", "cut"]);
 });
+
+test("what is typed while the session opens the same program is not lost", async () => {
+  const { app, socket, answer } = await run_over();
+  app.opened!.editable = true;
+  app.set_text("G1 X2");
+  void app.follow_text();
+  await settle();
+  expect(socket.sent.filter((q) => q.do === "open").at(-1)!.text).toBe("G1 X2");
+  app.set_text("G1 X23"); // before the answer
+  await answer("open", { file: "a.nc", text: "G1 X2", digest: "1", editable: true });
+  expect([app.text, app.ran, app.dirty]).toEqual(["G1 X23", "G1 X2", true]);
+});
+
+test("a newer text cancels the run of an older one, and what is shown stays meanwhile", async () => {
+  const { app, socket, answer } = await run_over();
+  app.opened!.editable = true;
+  await answer("state", { number: 30, at: 50 });
+  app.set_text("G1 X2");
+  void app.follow_text();
+  await settle();
+  expect(app.done?.seconds).toBe(100);
+  await answer("open", { file: "a.nc", text: "G1 X2", digest: "1", editable: true });
+  app.set_text("G1 X3");
+  void app.follow_text();
+  await settle();
+  expect(socket.sent.slice(-2).map((q) => q.do)).toEqual(["stop", "open"]);
+  expect(socket.sent.at(-1)!.text).toBe("G1 X3");
+});
+
+test("a file that is gone from the disk leaves its text unsaved; taken from the disk, it is not", async () => {
+  const { app } = await run_over();
+  app.lost_on_disk();
+  expect([app.dirty, app.digest]).toEqual([true, null]);
+  await app.changed_on_disk({ text: "G1 X1", digest: "2" }, false);
+  expect([app.dirty, app.digest]).toEqual([false, "2"]);
+  await app.changed_on_disk({ text: "G1 X9", digest: "3" }, false);
+  expect([app.dirty, app.text]).toEqual([true, "G1 X1"]);
+});

@@ -1,19 +1,10 @@
 // Tests the arithmetic of the slider.
 import { expect, test } from "vitest";
-import { clusters, instant_at, next_mark, place_of, played, slider_of, times_of } from "../src/model/time";
+import { clusters, next_mark, played, slider_of, times_of } from "../src/model/time";
 import { clock, coordinate, grouped } from "../src/ui/figures";
 import type { Mark } from "../src/protocol/types";
 
 const mark = (at: number, kind: Mark["kind"]): Mark => ({ at, kind, line: 1, text: "" });
-
-test("places and instants are each other's inverse, within the bar", () => {
-  expect(instant_at(250, 1000, 40)).toBe(10);
-  expect(place_of(10, 1000, 40)).toBe(250);
-  expect(instant_at(-5, 1000, 40)).toBe(0);
-  expect(instant_at(2000, 1000, 40)).toBe(40);
-  expect(instant_at(5, 0, 40)).toBe(0);
-  expect(place_of(5, 1000, 0)).toBe(0);
-});
 
 test("the next mark is the nearest one of its kinds, never the one stood upon", () => {
   const marks = [mark(30, "tool"), mark(10, "tool"), mark(20, "alarm")];

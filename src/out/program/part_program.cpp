@@ -40,6 +40,22 @@ class ProgramWriter {
     return PartProgram{std::move(text_), std::move(written_)};
   }
 
+  Result<std::string> write_bare() {
+    std::string modes;
+    if (def_.behaviour.lathe == Lathe::none) {
+      want({{Function::plane_xy, any}, {Function::select_plane, 17}}, modes);
+      want({{Function::absolute, any}}, modes);
+    } else {
+      want({{Function::plane_zx, any}, {Function::select_plane, 18}}, modes);
+    }
+    want({{Function::millimetre, any}}, modes);
+    want({{Function::feed_per_minute, any}}, modes);
+    put(modes);
+    KADR_TRY(finish());
+    KADR_TRY(number_blocks());
+    return std::move(text_);
+  }
+
  private:
   Status need(std::initializer_list<FunctionArg> functions, std::string& block) {
     const auto code = code_of(def_, functions);
@@ -247,6 +263,11 @@ class ProgramWriter {
 
 Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::Move>& moves, const Technology& technology) {
   return ProgramWriter(def, technology).write(moves);
+}
+
+Result<std::string> bare_program(const ControlDef& def) {
+  const Technology nothing;
+  return ProgramWriter(def, nothing).write_bare();
 }
 
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {

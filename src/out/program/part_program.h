@@ -33,6 +33,11 @@ struct PartProgram {
 ///   alarms  word_has_no_room, function_has_no_code
 Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::Move>& moves, const Technology& technology);
 
+/// Creates a program without a move: it begins and ends as the control requires, with the plane, absolute coordinates, millimetres and feed
+/// per minute as far as the control has codes for them.
+///   alarms  word_has_no_room, function_has_no_code
+Result<std::string> bare_program(const ControlDef& def);
+
 /// Checks that the moves `read`, which the control executes, follow the same path as the moves `written`, from which the program was
 /// created. They are compared point by point.
 ///   alarms  mill_read_back

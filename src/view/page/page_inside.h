@@ -63,6 +63,17 @@ struct PageSession::Inside {
   Answer files(const PageJson& question);
   Answer read(const PageJson& question);
   Answer save(const PageJson& question);
+  // ---- requests that are answered in page_changes.cpp
+  Answer digest(const PageJson& question);
+  Answer rename(const PageJson& question);
+  Answer copy(const PageJson& question);
+  Answer remove(const PageJson& question);
+  Answer restore_file(const PageJson& question);
+  std::string fault_of_change(const std::string& file) const;
+  // ---- requests that are answered in page_examples.cpp
+  Answer examples(const PageJson& question);
+  Answer take_example(const PageJson& question);
+  Answer new_program(const PageJson& question);
   // ---- requests that are answered in page_program.cpp
   Answer open(const PageJson& question);
   Answer source_lines(const PageJson& question);

@@ -31,10 +31,12 @@ export class App extends AppResults {
     });
   }
 
-  async open(question: OpenQuestion, at = 0): Promise<void> {
-    const before = this.opened;
-    this.forget_run();
-    this.opened = null;
+  /// `live`: the same program runs again because its text has changed: what is shown stays until the new run replaces it.
+  async open(question: OpenQuestion, at = 0, live = false): Promise<void> {
+    const before = this.opened,
+      shown = this.text;
+    this.forget_run(live);
+    if (!live) this.opened = null;
     this.on_opening.emit(question.file);
     this.wanted = { question, at };
     this.running = true;
@@ -48,7 +50,9 @@ export class App extends AppResults {
       this.choice = { control: question.control, machine: question.machine, setup: question.setup };
       this.opened = opened;
       if (question.text === undefined) this.found_on_disk(opened);
-      this.text = this.ran = question.text ?? opened.text ?? null;
+      this.ran = question.text ?? opened.text ?? null;
+      // What was typed while the session opened the same program is newer than what it opened.
+      if (before?.file !== question.file || this.text === shown) this.text = this.ran;
       this.keep_place();
       this.on_opened.emit(opened);
       this.on_dirty.emit(this.dirty);
@@ -57,6 +61,7 @@ export class App extends AppResults {
       if (this.opening) return;
       this.running = false;
       this.on_run.emit();
+      if (live) return; // the view says that it is old; the problems of the text say why
       this.tell(e);
       const { control, machine, setup } = this.choice; // with which it could be opened
       if (
@@ -68,13 +73,19 @@ export class App extends AppResults {
   }
 
   /// Runs the current text of the editor, saved or not, with these choices.
-  async run_again(choice: Choice = this.choice): Promise<void> {
+  async run_again(choice: Choice = this.choice, live = false): Promise<void> {
     if (!this.opened) return;
     const question: OpenQuestion = { file: this.opened.file, ...choice };
     if (this.tables?.file === this.opened.file && Object.keys(this.tables.edited).length)
       question.tables = this.tables.edited;
     if (this.dirty && this.text !== null) question.text = this.text;
-    await this.open(question, this.instant);
+    await this.open(question, this.done ? this.instant : (this.wanted?.at ?? this.instant), live);
+  }
+  /// Runs the text as it is now; a run of an older text is cancelled.
+  async follow_text(): Promise<void> {
+    if (!this.opened || this.text === this.ran || !this.opened.editable) return;
+    if (this.running) this.stop();
+    await this.run_again(this.choice, true);
   }
 
   /// Questions to the session are about the text that it has run: if the editor's text differs, it is run first.
@@ -100,6 +111,28 @@ export class App extends AppResults {
     this.digest = digest;
     this.saved_text = text;
     this.on_dirty.emit(this.dirty);
+  }
+
+  /// The open program has another name on the disk now; what is not saved goes with it.
+  async renamed(to: string): Promise<void> {
+    if (!this.opened || !this.wanted) return;
+    this.unsaved.rename(this.opened.file, to);
+    this.opened.file = to;
+    await this.run_again();
+  }
+  /// Another page or program has changed the file. `take`: the text of the disk replaces the one of the page; else the
+  /// next save replaces the file.
+  async changed_on_disk(on_disk: { text: string; digest: string }, take: boolean): Promise<void> {
+    if (take) this.text = on_disk.text;
+    this.saved(on_disk.text, on_disk.digest);
+    this.keep_place();
+    if (take) await this.run_again();
+  }
+  /// The file is not on the disk any more: the text of the page is the only one, and saving creates the file again.
+  lost_on_disk(): void {
+    this.digest = this.saved_text = null;
+    this.on_dirty.emit(this.dirty);
+    this.keep_place();
   }
 
   async speak(lang: Language): Promise<void> {

@@ -53,17 +53,20 @@ export abstract class AppResults extends AppTime {
     } else if (e.name === "cut") this.take_cut(e.body);
   }
 
-  protected forget_run(): void {
+  /// `live`: what is shown stays until the results of the next run replace it; only the part is gone.
+  protected forget_run(live = false): void {
     this.path.clear();
-    this.progress = this.done = this.state = this.cut = this.checked = null;
+    this.progress = this.cut = null;
     this.problems = [];
     this.findings = [];
     this.cutting = this.cut_ready = false;
-    this.instant = 0;
     this.on_part.emit(null);
+    this.on_cut.emit(null);
+    if (live) return;
+    this.done = this.state = this.checked = null;
+    this.instant = 0;
     this.on_state.emit(null);
     this.on_problems.emit();
-    this.on_cut.emit(null);
   }
 
   protected take_frame(frame: Frame): void {
@@ -78,6 +81,7 @@ export abstract class AppResults extends AppTime {
     take_program_unit(this.opened?.file ?? "", done.units);
     this.on_done.emit(done);
     this.on_run.emit();
+    this.on_problems.emit();
     this.seek(this.wanted_at());
     if (this.last_cut && this.opened && this.recut) void this.run_cut(this.last_cut);
     this.recut = false;

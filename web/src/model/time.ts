@@ -3,10 +3,7 @@ import type { Mark } from "../protocol/types";
 
 export const clamp = (v: number, low: number, high: number): number => Math.min(Math.max(v, low), high);
 
-/// Converts a position on a bar `width` wide to an instant, and back.
-export function instant_at(x: number, width: number, seconds: number): number {
-  return width > 0 ? clamp(x / width, 0, 1) * seconds : 0;
-}
+/// Converts an instant to a position on a bar `width` wide.
 export function place_of(at: number, width: number, seconds: number): number {
   return seconds > 0 ? clamp(at / seconds, 0, 1) * width : 0;
 }
@@ -41,11 +38,12 @@ export interface Cluster {
   kind: Mark["kind"];
 }
 const grave: Mark["kind"][] = ["alarm", "warning", "stop", "tool", "end", "optional_stop", "zero", "message", "dwell"];
-export function clusters(marks: Mark[], seconds: number, width: number, apart = 5): Cluster[] {
+/// `from`: the instant at the left end of the bar.
+export function clusters(marks: Mark[], seconds: number, width: number, apart = 5, from = 0): Cluster[] {
   const out: Cluster[] = [];
   for (const m of [...marks].sort((a, b) => a.at - b.at)) {
     const last = out[out.length - 1];
-    if (last && place_of(m.at, width, seconds) - place_of(last.at, width, seconds) < apart) {
+    if (last && place_of(m.at - from, width, seconds) - place_of(last.at - from, width, seconds) < apart) {
       last.marks.push(m);
       if (grave.indexOf(m.kind) < grave.indexOf(last.kind)) last.kind = m.kind;
     } else out.push({ at: m.at, marks: [m], kind: m.kind });

@@ -64,6 +64,15 @@ export class Unsaved {
     if (fresh.length) this.on_offer.emit(fresh);
   }
 
+  /// A program has been renamed: texts that are kept of it, also by other tabs, are offered under its new name.
+  rename(from: string, to: string): void {
+    for (const kept of this.all(store_name(this.folder, from))) {
+      const name = store_name(this.folder, to) + kept.name.slice(kept.name.lastIndexOf(":") + 1);
+      if (remember(name, { ...kept, name, file: to })) forget(kept.name);
+    }
+    if (this.here === from) this.here = to;
+  }
+
   drop(kept: KeptText): void {
     forget(kept.name);
   }

@@ -1,6 +1,7 @@
 // Every message of docs/panel-protocol.md. Units: mm, degrees, seconds, mm/min, rev/min; lines and columns from 1.
 import type { JsonTable, Language } from "./types/base";
 import type { Compared, CutQuestion, CutResult, Finding, PartAnswer, Proposals, Sheet } from "./types/cut";
+import type { FileQuestions } from "./types/files";
 import type {
   ConvertQuestion,
   Converted,
@@ -40,6 +41,7 @@ import type {
 } from "./types/program";
 
 export type * from "./types/base";
+export type * from "./types/files";
 export type * from "./types/program";
 export type * from "./types/cut";
 export type * from "./types/panel";
@@ -47,7 +49,7 @@ export type * from "./types/making";
 export type * from "./types/setup";
 export type * from "./types/editing";
 
-export interface Questions {
+export interface Questions extends FileQuestions {
   hello: [{ token?: string; lang: Language }, Hello];
   language: [{ lang: Language }, object];
   files: [{ folder: string }, Files];

@@ -14,6 +14,9 @@ import {
   type Material,
   type Object3D,
 } from "three";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { jump } from "../protocol/frames";
 import type { Theme } from "./colours";
 import type { Point, ToolShape } from "./types";
@@ -66,6 +69,18 @@ export function tool_mesh(shape: ToolShape | undefined, cone: number, theme: The
   return group;
 }
 
+/// Makes a tool translucent, so that what is behind it can be seen.
+export function fade(tool: Object3D): void {
+  const share = 0.25;
+  tool.traverse((o) => {
+    const material = (o as Mesh).material as Material | undefined;
+    if (!material) return;
+    material.transparent = true;
+    material.opacity *= share;
+    material.depthWrite = false;
+  });
+}
+
 export function put_tool(tool: Group, at: Point, lean: Point | null): void {
   tool.position.set(...at);
   tool.quaternion.setFromUnitVectors(up, lean ? new Vector3(...lean).normalize() : up);
@@ -94,4 +109,14 @@ export function axes(length: number): LineSegments {
   );
   g.setAttribute("color", new BufferAttribute(new Float32Array(c), 3));
   return new LineSegments(g, new LineBasicMaterial({ vertexColors: true }));
+}
+
+/// A line over everything else.
+export function thick(points: number[], width: number, colour: number): LineSegments2 {
+  const line = new LineSegments2(
+    new LineSegmentsGeometry().setPositions(points),
+    new LineMaterial({ linewidth: width, depthTest: false, color: colour }),
+  );
+  line.renderOrder = 3;
+  return line;
 }

@@ -85,6 +85,7 @@ export function editor_view(
   text: string,
   picked: (line: number) => void,
   save: () => void,
+  save_as?: () => void,
 ): SourceView {
   let watch: ReturnType<typeof watch_problems> | undefined;
   const view = new EditorView({
@@ -115,6 +116,10 @@ export function editor_view(
             preventDefault: true,
             run: () => {
               save();
+              return true;
+            },
+            shift: () => {
+              save_as?.();
               return true;
             },
           },

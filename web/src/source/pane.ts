@@ -16,6 +16,7 @@ const called_lines = 10_000_000; // the length of a called file is unknown; afte
 export interface Editing {
   view: typeof editor_view;
   fix: typeof apply_fix;
+  save_as?(): void;
 }
 
 export class SourcePane {
@@ -95,6 +96,10 @@ export class SourcePane {
     const { from, to } = state.selection.main;
     return { from: state.doc.lineAt(from).number, to: state.doc.lineAt(to).number };
   }
+  /// Places a message between the title and the text.
+  tell_above(notice: HTMLElement): void {
+    this.host.before(notice);
+  }
   fix(fix: Fix): void {
     if (this.view?.editor) {
       this.editing?.fix(this.view.editor, fix);
@@ -122,7 +127,7 @@ export class SourcePane {
     const picked = (line: number): void => this.picked(line, file);
     this.replace_view(file, () => {
       if (file === 0 && app.text !== null && this.editing)
-        return this.editing.view(app, this.host, app.text, picked, () => void save(app));
+        return this.editing.view(app, this.host, app.text, picked, () => void save(app), this.editing.save_as);
       return virtual_view(
         this.host,
         file === 0 ? (app.opened?.lines ?? 0) : called_lines,
@@ -174,6 +179,13 @@ export class SourcePane {
         button(t("save"), () => void save(app), {
           disabled: !app.dirty || !app.hello?.may_change,
           title: app.hello?.may_change ? "Ctrl+S" : t("may_not_change"),
+        }),
+      this.editing?.save_as &&
+        app.opened?.editable &&
+        !this.shows_machine &&
+        button(t("save_under"), () => this.editing?.save_as?.(), {
+          disabled: !app.hello?.may_change,
+          title: "Ctrl+Shift+S",
         }),
     );
   }

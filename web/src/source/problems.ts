@@ -9,7 +9,7 @@ import type { App } from "../model/app";
 import { of_shown_text } from "../model/listed";
 import { of_program } from "./problems_of";
 
-const quiet = 300; // ms without a key before the text is checked
+const quiet = 120; // ms without a key before the text is checked
 
 export const problem_marks = [linter(null, { delay: 0 }), lintGutter()];
 

@@ -2,12 +2,14 @@
 import { bar_en } from "./en/bar";
 import { cut_en } from "./en/cut";
 import { edit_en } from "./en/edit";
+import { files_en } from "./en/files";
 import { making_en } from "./en/making";
 import { operator_en } from "./en/operator";
 import { panel_en } from "./en/panel";
 import { report_en } from "./en/report";
 import { restart_en } from "./en/restart";
 import { setup_en } from "./en/setup";
+import { start_en } from "./en/start";
 import { state_en } from "./en/state";
 import { tables_en } from "./en/tables";
 import { view_en } from "./en/view";
@@ -16,12 +18,14 @@ export const en = {
   ...bar_en,
   ...view_en,
   ...state_en,
+  ...start_en,
   ...cut_en,
   ...tables_en,
   ...setup_en,
   ...restart_en,
   ...panel_en,
   ...operator_en,
+  ...files_en,
   ...making_en,
   ...edit_en,
   ...report_en,

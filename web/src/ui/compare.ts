@@ -15,8 +15,9 @@ export interface CompareVerbs {
   line(line: number): void;
 }
 
-/// `begin`: removes the other path from the view; `line`: a line of this program was clicked.
-export function show_compare(app: App, verbs: CompareVerbs): void {
+/// `begin`: removes the other path from the view; `line`: a line of this program was clicked. `given`: another text of
+/// this program, which is compared at once.
+export function show_compare(app: App, verbs: CompareVerbs, given?: { name: string; text: string }): void {
   if (document.querySelector("dialog.docked .compare")) return;
   const file = h("select", { "aria-label": t("other_version") }),
     told = h("p", { class: "note", "aria-live": "polite" }),
@@ -41,7 +42,8 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
     compared = undefined;
     try {
       if (!(await app.run_shown())) return void (told.textContent = "");
-      const c = await app.client.ask("compare", wanted === here ? { text: saved ?? "" } : { file: wanted });
+      const text = wanted === of_given ? given?.text : wanted === here ? (saved ?? "") : undefined,
+        c = await app.client.ask("compare", text === undefined ? { file: wanted } : { text });
       told.textContent = c.text;
       compared = shown;
       tell_changes();
@@ -62,7 +64,7 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
       app.tell(e);
     }
     merge?.destroy();
-    const other = wanted === here ? saved : await text_of(app, wanted);
+    const other = wanted === of_given ? (given?.text ?? null) : wanted === here ? saved : await text_of(app, wanted);
     if (other === null || shown === null) told.textContent += ` ${t("no_text_here")}`;
     else
       merge = new MergeView({
@@ -72,7 +74,8 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
         collapseUnchanged: { margin: 3, minSize: 8 },
       });
   };
-  const off = [app.on_text.on(tell_changes), app.on_dirty.on(() => void fill_files(app, folder, here, file))];
+  const fill_select = (): Promise<void> => fill_files(app, folder, here, file, given?.name);
+  const off = [app.on_text.on(tell_changes), app.on_dirty.on(() => void fill_select())];
   open_dialog(
     t("compare"),
     h(
@@ -98,7 +101,9 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
       },
     },
   );
-  void fill_files(app, folder, here, file);
+  void fill_select().then(() => {
+    if (given) void go();
+  });
 }
 
 const side = (doc: string, clicked?: (line: number) => void) => ({
@@ -115,7 +120,15 @@ const side = (doc: string, clicked?: (line: number) => void) => ({
   ],
 });
 
-async function fill_files(app: App, folder: string, here: string, select: HTMLSelectElement): Promise<void> {
+const of_given = "/"; // no name of a file
+
+async function fill_files(
+  app: App,
+  folder: string,
+  here: string,
+  select: HTMLSelectElement,
+  given?: string,
+): Promise<void> {
   const chosen = select.value;
   try {
     const { entries } = await app.client.ask("files", { folder });
@@ -125,6 +138,7 @@ async function fill_files(app: App, folder: string, here: string, select: HTMLSe
       .filter((n) => n !== here);
     fill(
       select,
+      given && h("option", { value: of_given }, given),
       app.dirty && h("option", { value: here }, t("as_saved", { file: here })),
       ...names.map((n) => h("option", { value: n }, n)),
     );

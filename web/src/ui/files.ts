@@ -1,14 +1,17 @@
 // The drawer of files: folders below the served one, programs to open, set-ups to run with, drawings to create
-// programs from; tape, other controls.
+// programs from; tape, other controls; what is done with a file is in its menu.
 import type { App } from "../model/app";
+import { folder_part } from "../model/file_names";
 import type { FileEntry } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 import { bytes } from "./figures";
 import { icon } from "./icons";
+import { FileActions } from "./file_actions";
+import { open_menu } from "./row_menu";
 import { may_leave } from "./save";
+import { Upload } from "./upload";
 
-const folder_of = (file: string): string => file.slice(0, Math.max(0, file.lastIndexOf("/")));
 const is_drawing = (name: string): boolean => /\.(dxf|svg)$/i.test(name);
 
 /// `folder`: the shown one.
@@ -27,18 +30,28 @@ export class FilesDrawer {
   private crumbs = h("span", { class: "pane-title crumbs" });
   private verbs_row = h("div", { class: "files-verbs" });
   private names = new Set<string>();
+  private tools = h("span", { class: "pane-tools" });
+  readonly actions: FileActions;
+  readonly upload: Upload;
 
   constructor(
     private app: App,
     private verbs: FilesVerbs,
   ) {
-    this.element.append(h("header", { class: "pane-head" }, this.crumbs), this.list, this.verbs_row);
-    app.on_files.on((file) => void this.go(folder_of(file)));
+    this.actions = new FileActions(app, (folder) => void this.go(folder));
+    this.upload = new Upload(
+      app,
+      () => this.folder,
+      () => this.names,
+      (folder) => this.go(folder),
+    );
+    this.element.append(h("header", { class: "pane-head" }, this.crumbs, this.tools), this.list, this.verbs_row);
+    app.on_files.on((file) => void this.go(folder_part(file)));
     app.on_line.on((l) => {
       if (l === "open") void this.go(this.folder);
     });
     app.on_opened.on((o) => {
-      const folder = folder_of(o.file);
+      const folder = folder_part(o.file);
       if (this.fresh && folder !== this.folder)
         void this.go(folder); // the program that was open before a reload is shown in its folder
       else if (folder === this.folder && !this.names.has(o.file)) void this.go(folder); // it has just been saved
@@ -46,6 +59,13 @@ export class FilesDrawer {
       this.mark();
     });
     on_language(() => void this.go(this.folder));
+  }
+
+  new_program(): void {
+    this.actions.new_program(this.folder, this.names);
+  }
+  save_as(): void {
+    this.actions.save_as(this.names);
   }
 
   private async go(folder: string): Promise<void> {
@@ -65,6 +85,12 @@ export class FilesDrawer {
       this.crumbs,
       button(this.app.hello?.folder || "/", () => void this.go("")),
       ...parts.flatMap((name, i) => [" / ", button(name, () => void this.go(parts.slice(0, i + 1).join("/")))]),
+    );
+    const may = { disabled: !this.app.hello?.may_change };
+    fill(
+      this.tools,
+      button(t("new_program"), () => this.new_program(), may),
+      button(t("upload"), () => this.upload.choose(), { ...may, title: t("upload_long") }),
     );
     fill(
       this.list,
@@ -91,6 +117,7 @@ export class FilesDrawer {
     return h(
       "li",
       null,
+      e.kind !== "folder" && this.menu_button(path),
       h(
         "button",
         {
@@ -100,12 +127,44 @@ export class FilesDrawer {
           "data-path": path,
           title: e.kind === "setup" ? t("use_setup") : draws ? `${path}: ${t("new_from_drawing")}` : path,
           onclick: () => void this.choose(e, path),
+          onkeydown: (event: KeyboardEvent) => this.key(event, e, path),
         },
         icon(e.kind),
         h("span", { class: "file-name" }, e.name),
         e.kind !== "folder" && h("span", { class: "file-size" }, bytes(e.size)),
       ),
     );
+  }
+
+  /// What can be done with a file.
+  private menu_button(path: string): HTMLButtonElement {
+    const { actions, names } = this,
+      label = t("file_menu", { file: path });
+    const dots = button(
+      icon("dots"),
+      () =>
+        open_menu(dots, label, [
+          { name: t("rename"), go: () => actions.rename(path) },
+          { name: t("duplicate"), go: () => actions.duplicate(path, names) },
+          { name: t("delete"), go: () => void actions.delete(path) },
+        ]),
+      {
+        class: "icon file-menu",
+        "aria-label": label,
+        title: label,
+        "aria-haspopup": "menu",
+        disabled: !this.app.hello?.may_change,
+      },
+    );
+    return dots;
+  }
+  private key(event: KeyboardEvent, e: FileEntry, path: string): void {
+    if (e.kind === "folder" || !this.app.hello?.may_change) return;
+    if (event.key === "F2") this.actions.rename(path);
+    else if (event.key === "Delete") void this.actions.delete(path);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
   }
 
   private async choose(e: FileEntry, path: string): Promise<void> {

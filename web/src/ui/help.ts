@@ -1,7 +1,7 @@
 // The list of keys, in a dialogue.
 import { t, type TextKey } from "../texts/texts";
 import { open_dialog } from "./dialog";
-import { h } from "./dom";
+import { button, h } from "./dom";
 
 const keys: [string, TextKey][] = [
   ["← →", "key_block"],
@@ -54,8 +54,8 @@ const list = (of: typeof keys): HTMLElement =>
     ),
   );
 
-/// `operator`: the operator's screen is shown, whose keys come first.
-export function show_help(operator = document.body.classList.contains("operates")): void {
+/// `tour`: shows the page once more; a report has none. `operator`: the operator's screen is shown, whose keys come first.
+export function show_help(tour?: () => void, operator = document.body.classList.contains("operates")): void {
   const of_page = h("div", null, h("h3", null, t("keys")), list(keys), h("p", { class: "note" }, t("keys_note")));
   const of_operator = h(
     "div",
@@ -64,5 +64,15 @@ export function show_help(operator = document.body.classList.contains("operates"
     list(operator_keys),
     h("p", { class: "note" }, t("keys_operator_note")),
   );
-  open_dialog(t("keys"), h("div", null, ...(operator ? [of_operator, of_page] : [of_page, of_operator])));
+  const again =
+    tour &&
+    button(t("tour"), () => {
+      dialog.close();
+      tour();
+    });
+  const dialog = open_dialog(
+    t("keys"),
+    h("div", null, ...(operator ? [of_operator, of_page] : [of_page, of_operator])),
+    { tools: again },
+  );
 }

@@ -3,6 +3,7 @@ import { svg } from "./dom";
 
 const paths = {
   menu: "M2 4h12M2 8h12M2 12h12",
+  dots: "!M2 6.5h3v3H2ZM6.5 6.5h3v3h-3ZM11 6.5h3v3h-3Z",
   close: "M4 4l8 8M12 4l-8 8",
   sun: "M8 5a3 3 0 1 0 0 6 3 3 0 0 0 0-6ZM8 1v2M8 13v2M1 8h2M13 8h2M3 3l1.5 1.5M11.5 11.5 13 13M13 3l-1.5 1.5M4.5 11.5 3 13",
   moon: "M13 9.5A5.5 5.5 0 0 1 6.5 3 5.5 5.5 0 1 0 13 9.5Z",
@@ -18,6 +19,8 @@ const paths = {
   tool_back: "!M8.5 3v10L3.5 8ZM13.5 3v10L8.5 8ZM2 3h1.4v10H2Z",
   tool_on: "!M7.5 3v10l5-5ZM2.5 3v10l5-5ZM12.6 3H14v10h-1.4Z",
   go: "M3 8h9M8.5 4.5 12 8l-3.5 3.5",
+  zoom_in: "M7 2.5a4.5 4.5 0 1 0 0 9 4.5 4.5 0 0 0 0-9ZM10.3 10.3 14 14M5 7h4M7 5v4",
+  zoom_out: "M7 2.5a4.5 4.5 0 1 0 0 9 4.5 4.5 0 0 0 0-9ZM10.3 10.3 14 14M5 7h4",
   flip: "M3 5.5h9L9.5 3M13 10.5H4L6.5 13",
   less: "M10 3 5 8l5 5",
   more: "M6 3l5 5-5 5",

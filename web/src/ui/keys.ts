@@ -9,6 +9,7 @@ export interface KeyVerbs {
   rapids(): void;
   help(): void;
   save(): void;
+  save_as?(): void;
   leave(): void;
   next_pane(way: 1 | -1): void;
 }
@@ -29,7 +30,7 @@ export function listen_keys(app: App, player: Player, verbs: KeyVerbs): void {
     if (e.defaultPrevented) return;
     if ((e.ctrlKey || e.metaKey) && e.code === "KeyS") {
       e.preventDefault();
-      return verbs.save();
+      return e.shiftKey && verbs.save_as ? verbs.save_as() : verbs.save();
     }
     if (document.querySelector("dialog[open]:not(.docked)") || typing(e.target) || e.altKey || e.metaKey) return;
     const act = step_of(e) ?? other(e);

@@ -138,16 +138,21 @@ export class Tabs {
   }
 }
 
-/// Moves the focus to the next pane, or to the previous one.
+/// Moves the focus to the next pane that is shown, or to the previous one; a pane without a field takes it itself.
 export function next_pane(way: 1 | -1): void {
   const panes = [...document.querySelectorAll<HTMLElement>(".files, .source, .scene, .state, .tabs, .timeline")].filter(
-    (e) => !e.hidden,
+    (e) => e.checkVisibility(),
   );
-  const here = panes.findIndex((e) => e.contains(document.activeElement));
-  const next = panes[(here + way + panes.length) % panes.length]!;
-  (
-    next.querySelector<HTMLElement>(
-      "[contenteditable=true], [tabindex='0'], button:not(:disabled), select, input, canvas",
-    ) ?? next
-  ).focus();
+  const here = panes.findIndex((e) => e.contains(document.activeElement)),
+    next = panes[(here + way + panes.length) % panes.length];
+  if (!next) return;
+  const fields = next.querySelectorAll<HTMLElement>(
+    "[contenteditable=true], [tabindex='0'], button:not(:disabled), select, input, canvas",
+  );
+  for (const field of fields) {
+    field.focus();
+    if (document.activeElement === field) return;
+  }
+  next.tabIndex = -1;
+  next.focus();
 }

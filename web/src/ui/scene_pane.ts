@@ -1,27 +1,20 @@
 // The 3D view with its tools: views, colours, filters, section, measuring, picture; its messages are in the corners.
-import { spline } from "../protocol/frames";
+
 import { figure_places } from "../scene/boxes";
 import { dark, is_ramp, light } from "../scene/colours";
-import {
-  Scene,
-  type ColourBy,
-  type Measured,
-  type Point,
-  type SceneFilter,
-  type SceneVertex,
-  type View,
-} from "../scene/scene";
+import { Scene, type ColourBy, type Point, type SceneFilter, type SceneVertex, type View } from "../scene/scene";
 import type { App } from "../model/app";
 import { remember, remembered } from "../model/memory";
-import { on_language, t, type TextKey } from "../texts/texts";
+import { on_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { filter_form } from "./filters";
-import { feed_unit, length_unit } from "../model/units";
+
 import { diameter_sign, is_diameter, no_diameters, widest, type Diameters } from "../model/diameters";
-import { coordinate, feed, length, length_told, point_told, short } from "./figures";
+import { length_told, short } from "./figures";
 import { Flags, flags_of } from "./flags";
 import { legend } from "./legend";
-import { icon } from "./icons";
+import { measured_told, motion_told } from "./scene_words";
+import { SectionBar } from "./section_bar";
 import { toast } from "./toast";
 import { ViewCube } from "./view_cube";
 
@@ -33,9 +26,10 @@ export class ScenePane {
   readonly element = h("section", { class: "pane scene" });
   readonly scene: Scene | null;
   private bar = h("div", { class: "scene-bar", role: "toolbar" });
-  private below = h("div", { class: "scene-bar below" });
+  private section: SectionBar;
   private told = h("div", { class: "scene-told", "aria-live": "polite" });
   private thinned_told = h("div", { class: "scene-thinned" });
+  private old_told = h("div", { class: "scene-old", "aria-live": "polite" });
   private legend = h("div", { class: "scene-legend" });
   private flags = new Flags((time) => this.app.seek(time));
   private cube = new ViewCube(
@@ -47,14 +41,8 @@ export class ScenePane {
   private colour = remembered<ColourBy>("colour", "kind");
   private flat = remembered("orthographic", true);
   private measuring = false;
-  private is_lathe = false;
   private touched: ((place: Point, normal: Point) => void) | null = null;
   private counted: [number, number] = [0, 0]; // drawn segments, and all
-  private section: { axis: 0 | 1 | 2 | "half" | null; part: number; flip: boolean } = {
-    axis: null,
-    part: 0.5,
-    flip: false,
-  };
   filter: SceneFilter = {
     rapids: true,
     tools: null,
@@ -71,6 +59,18 @@ export class ScenePane {
     private app: App,
     picked: (v: SceneVertex) => void,
   ) {
+    this.section = new SectionBar(
+      app,
+      () => this.scene,
+      () => [
+        button(t("measure"), () => this.toggle_measure(), {
+          "aria-pressed": this.measuring,
+          title: `${t("measure")} (M)`,
+        }),
+        button("PNG", () => void this.save_picture(), { title: t("save_picture") }),
+        this.thinned_told,
+      ],
+    );
     const host = h("div", { class: "scene-host" });
     this.element.append(
       host,
@@ -78,8 +78,9 @@ export class ScenePane {
       this.legend,
       this.cube.element,
       this.bar,
-      this.below,
+      this.section.element,
       this.told,
+      this.old_told,
       this.tip,
     );
     this.scene = this.make(host, picked);
@@ -94,7 +95,7 @@ export class ScenePane {
     app.on_opening.on(() => this.scene?.setJoints([]));
     app.on_done.on((done) => this.scene?.setJoints(done.joints));
     app.on_opened.on((o) => this.scene?.setBounds(o.bounds ?? null));
-    app.on_opened.on((o) => this.show_lathe(o.control.lathe ?? false));
+    app.on_opened.on((o) => this.section.show_lathe(o.control.lathe ?? false));
     app.on_part_told.on((p) =>
       this.scene?.setTurned(
         p?.section ? { section: p.section, section_y: p.section_y ?? [], edges: p.edges ?? [] } : null,
@@ -112,6 +113,12 @@ export class ScenePane {
     this.touched = touched;
     this.scene?.setMode(touched ? "touch" : "orbit");
     this.told.textContent = touched ? t("touch_how") : "";
+  }
+
+  /// The path belongs to the text before the last change: says so, after the time in which a short program runs.
+  tell_old(old: boolean): void {
+    this.element.classList.toggle("old", old);
+    this.old_told.textContent = old ? t("path_old") : "";
   }
 
   toggle_measure(): void {
@@ -140,7 +147,7 @@ export class ScenePane {
         hover: (v, x, y) => this.hover(v, x, y),
         touched: (place, normal) => this.touched?.(place, normal),
         measured: (m) => {
-          this.told.textContent = this.measured(m);
+          this.told.textContent = measured_told(m, this.measuring ? t("measure_how") : "", this.diameters, this.axes);
         },
         turned: (view) => this.turn(view),
         thinned: (drawn, all) => {
@@ -224,30 +231,10 @@ export class ScenePane {
     return [...seen.values()];
   }
 
-  private measured({ ends, distance }: Measured): string {
-    const [a, b] = ends;
-    if (!a) return this.measuring ? t("measure_how") : "";
-    const named = (e: typeof a): string =>
-      `${t(`anchor_${e.kind}`)}${e.radius ? ` R ${length(e.radius)}` : ""} (${t("line_n", { line: e.line })})`;
-    const at = (p: Point): string => `${point_told(p, this.diameters, this.axes)} ${length_unit()}`;
-    if (!b || !distance) return `${named(a)}: ${at(a.place)}\n${t("measure_next")}`;
-    const d = distance.delta.map(Math.abs) as Point;
-    const parts = `${point_told(d, this.diameters, this.axes, "Δ")} ${length_unit()}`;
-    const angle = distance.angle === null ? "" : `   ∠ ${coordinate(distance.angle)}°`;
-    return `${named(a)} – ${named(b)}\n${t("distance")} ${length_told(distance.distance)}   ${parts}${angle}`;
-  }
-
   private hover(v: SceneVertex | null, x: number, y: number): void {
     this.tip.hidden = !v;
     if (!v) return;
-    const kind = t(`motion_${Math.min(spline, v.kind)}` as TextKey);
-    const radius = v.radius ? ` · R ${length(v.radius)}` : "",
-      long = v.length ? ` · L ${length(v.length)}` : "";
-    this.tip.textContent = [
-      `${t("line_n", { line: v.line })} · ${kind}${radius}${long} · T${v.tool}`,
-      `${point_told(v.at, this.diameters, this.axes)} ${length_unit()}`,
-      `${v.feed ? `F ${feed(v.feed, 1)} · ` : ""}V ${feed(v.speed)} ${feed_unit()}`,
-    ].join("\n");
+    this.tip.textContent = motion_told(v, this.diameters, this.axes);
     const box = this.element.getBoundingClientRect();
     this.tip.style.left = `${Math.min(x + 14, box.width - 250)}px`;
     this.tip.style.top = `${Math.min(y + 14, box.height - 70)}px`;
@@ -287,86 +274,7 @@ export class ScenePane {
       filter_form(this.app, this.filter, (f) => this.set_filter(f)),
     );
     this.tell_thinned();
-    this.draw_section();
-  }
-
-  private draw_section(): void {
-    const { section } = this,
-      box = this.app.done?.extents.all,
-      is_plane = section.axis !== null && section.axis !== "half";
-    const change = (): void => this.cut_through();
-    const axis = h(
-      "select",
-      {
-        "aria-label": t("section"),
-        title: t("section"),
-        onchange: () => {
-          section.axis = axis.value === "" ? null : axis.value === "half" ? "half" : (Number(axis.value) as 0 | 1 | 2);
-          change();
-          this.draw_section();
-        },
-      },
-      option("", t("section_none"), section.axis === null),
-      ...(this.is_lathe ? [option("half", t("section_half"), section.axis === "half")] : []),
-      ...[0, 1, 2].map((i) => option(String(i), `${t("section")} ${"XYZ"[i]}`, section.axis === i)),
-    );
-    const at = h("input", {
-      type: "range",
-      min: "0",
-      max: "1",
-      step: "0.002",
-      value: String(section.part),
-      "aria-label": t("section_at"),
-      oninput: () => {
-        section.part = Number(at.value);
-        change();
-      },
-    });
-    fill(
-      this.below,
-      axis,
-      is_plane && box && at,
-      is_plane &&
-        button(
-          icon("flip"),
-          () => {
-            section.flip = !section.flip;
-            change();
-          },
-          { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") },
-        ),
-      is_plane && h("span", { class: "section-told" }),
-      button(t("measure"), () => this.toggle_measure(), {
-        "aria-pressed": this.measuring,
-        title: `${t("measure")} (M)`,
-      }),
-      button("PNG", () => void this.save_picture(), { title: t("save_picture") }),
-      this.thinned_told,
-    );
-    change();
-  }
-
-  /// A lathe's part is shown in half section, until the user chooses otherwise.
-  private show_lathe(on: boolean): void {
-    this.scene?.setLathe(on);
-    if (on === this.is_lathe) return;
-    this.is_lathe = on;
-    this.section.axis = on ? "half" : null;
-    this.draw_section();
-  }
-
-  private cut_through(): void {
-    const { axis, part, flip } = this.section,
-      box = this.app.done?.extents.all;
-    if (axis === "half") return this.scene?.setHalf();
-    if (axis === null || !box) return this.scene?.setSection(null, 0, false);
-    const margin = 5,
-      low = box[0][axis]! - margin,
-      high = box[1][axis]! + margin; // mm: the blank is slightly larger than the path
-    const at = low + part * (high - low);
-    this.scene?.setSection(axis, at, flip);
-    const told = this.below.querySelector(".section-told");
-    if (told) told.textContent = `${"XYZ"[axis]} ${length_told(at)}`;
+    this.section.draw();
   }
 
   private set_filter(f: Partial<SceneFilter>): void {

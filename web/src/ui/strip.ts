@@ -2,6 +2,7 @@
 import uPlot from "uplot";
 import type { App } from "../model/app";
 import { debounce } from "../model/latest";
+import { top_of, type TimeWindow } from "../model/time_window";
 import { on_language, t } from "../texts/texts";
 import { h } from "./dom";
 import { feed_unit } from "../model/units";
@@ -16,11 +17,16 @@ export class SpeedStrip {
   /// `selected`: an interval of time was drawn with the mouse; `hint` describes what is under it.
   constructor(
     private app: App,
+    private shown: TimeWindow,
     private selected: (loop: [number, number] | null) => void,
     private hint: (text: string) => void,
   ) {
     this.element.append(this.here);
-    for (const s of [app.on_done, app.on_opening]) s.on(() => this.draw());
+    app.on_done.on(() => this.draw());
+    app.on_opening.on(() => {
+      if (!app.done) this.draw(); // a program that runs again is shown as before until the new path arrives
+    });
+    shown.on_change.on(() => this.draw());
     app.on_path.on(() => this.redraw());
     app.on_instant.on(() => this.place());
     on_language(() => this.draw());
@@ -34,9 +40,10 @@ export class SpeedStrip {
     this.here.hidden = true;
     const width = this.element.clientWidth,
       height = this.element.clientHeight,
-      seconds = this.app.seconds;
+      { from, seconds } = this.shown;
     if (!this.app.path.vertices || width < 50 || height < 20 || !(seconds > 0)) return;
-    const b = this.app.path.bins(0, seconds, Math.max(50, Math.floor(width)));
+    const b = this.app.path.bins(from, from + seconds, Math.max(50, Math.floor(width)));
+    const top = Math.max(top_of(b.greatest), top_of(b.feed)) * 1.05;
     const style = getComputedStyle(this.element),
       colour = (name: string): string => style.getPropertyValue(name).trim();
     this.plot = new uPlot(
@@ -45,7 +52,7 @@ export class SpeedStrip {
         height,
         padding: [4, 0, 0, 0],
         legend: { show: false },
-        scales: { x: { time: false, range: [0, seconds] }, y: { range: (_u, _min, max) => [0, (max || 1) * 1.05] } },
+        scales: { x: { time: false, range: [from, from + seconds] }, y: { range: [0, top] } },
         axes: [{ show: false }, { show: false }],
         cursor: { y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
         select: { show: true, left: 0, top: 0, width: 0, height: 0 },
@@ -104,9 +111,9 @@ export class SpeedStrip {
 
   /// An element of its own: the plot is not drawn again for every instant.
   private place(): void {
-    const { instant, seconds } = this.app;
-    this.here.style.transform = `translateX(${seconds > 0 ? (instant / seconds) * this.element.clientWidth : 0}px)`;
-    this.here.hidden = !this.plot;
+    const share = this.shown.share_of(this.app.instant);
+    this.here.style.transform = `translateX(${share * this.element.clientWidth}px)`;
+    this.here.hidden = !this.plot || share < 0 || share > 1;
   }
 }
 

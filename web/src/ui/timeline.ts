@@ -1,6 +1,7 @@
 // Slider, play buttons and speed strip: the lower edge of the page.
 import type { App } from "../model/app";
 import { slider_of, times_of } from "../model/time";
+import { TimeWindow } from "../model/time_window";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 import { clock } from "./figures";
@@ -9,13 +10,37 @@ import type { Player } from "./player";
 import { TimeSlider } from "./slider";
 import { SpeedStrip } from "./strip";
 
+/// The wheel zooms about the mouse, with Shift it moves; the arrows up and down zoom about the slider.
+function listen_zoom(e: HTMLElement, app: App, shown: TimeWindow): void {
+  e.addEventListener(
+    "wheel",
+    (event) => {
+      if (!app.done) return;
+      event.preventDefault();
+      const box = e.getBoundingClientRect(),
+        way = event.deltaY || event.deltaX;
+      if (event.shiftKey || !event.deltaY) shown.move(0.1 * Math.sign(way));
+      else shown.zoom(way > 0 ? 1.25 : 0.8, shown.instant_at((event.clientX - box.left) / box.width));
+    },
+    { passive: false },
+  );
+  e.addEventListener("keydown", (event) => {
+    if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
+    event.preventDefault();
+    event.stopPropagation();
+    shown.zoom(event.key === "ArrowUp" ? 0.5 : 2, app.instant);
+  });
+}
+
 export function timeline(app: App, player: Player, step_tool: (way: 1 | -1) => void): HTMLElement {
   const controls = h("div", { class: "play" }),
     told = h("span", { class: "clock" }),
     hint = h("span", { class: "strip-hint" });
-  const slider = new TimeSlider(app);
+  const shown = new TimeWindow(() => app.seconds);
+  const slider = new TimeSlider(app, shown);
   const strip = new SpeedStrip(
     app,
+    shown,
     (loop) => player.set_loop(loop),
     (text) => {
       hint.textContent = text;
@@ -57,6 +82,9 @@ export function timeline(app: App, player: Player, step_tool: (way: 1 | -1) => v
         }),
       h("span", { class: "grow" }),
       hint,
+      b("zoom_out", t("time_farther"), () => shown.zoom(2, app.instant)),
+      b("zoom_in", t("time_closer"), () => shown.zoom(0.5, app.instant)),
+      !shown.is_whole && button(t("time_all"), () => shown.show_all()),
     );
     slider.show_loop(player.loop);
     tell();
@@ -68,5 +96,13 @@ export function timeline(app: App, player: Player, step_tool: (way: 1 | -1) => v
   app.on_run.on(tell);
   on_language(draw);
   draw();
+  shown.on_change.on(draw);
+  app.on_instant.on((at) => shown.follow(at));
+  let file = "";
+  app.on_opening.on((name) => {
+    if (name !== file) shown.show_all();
+    file = name;
+  });
+  for (const e of [slider.element, strip.element]) listen_zoom(e, app, shown);
   return h("section", { class: "timeline" }, slider.element, strip.element, controls);
 }

@@ -32,7 +32,7 @@ export const bar_en = {
   // Files and source
   source: "Program",
   more_files: "There are more files than are listed",
-  empty_folder: "Nothing here",
+  empty_folder: "No programs here. New… begins one, and files can be dropped on the page.",
   use_setup: "Run the open program with this set-up",
   open_a_program: "Open a program in the list on the left.",
   unsaved: "Unsaved changes",

@@ -30,7 +30,7 @@ export const state_en = {
   advice: "Advice",
   note: "Note",
   of_cut: "found by the cut",
-  no_problems: "No problems found.",
+  no_problems: "The check and the run have found no problems. Collisions are found by the cut (tab Cut).",
   summary: "Summary",
   time_cutting: "At feed",
   time_rapid: "At rapid",

@@ -41,6 +41,7 @@ export const view_en = {
   thinned_long:
     "Far away, motions that differ by less than half a pixel are drawn as one; while the view moves, more of them. " +
     "A click finds each of them all the same.",
+  path_old: "The path is that of the text before the last change",
   beyond_limits: "The path leaves the machine's limits",
   no_webgl: "This browser has no WebGL: the view is left out, all else works.",
   save_picture: "Save the picture as PNG",
@@ -87,6 +88,9 @@ export const view_en = {
   tool_before: "Tool before (PgUp)",
   tool_after: "Next tool (PgDn)",
   loop_off: "End the loop",
+  time_closer: "Zoom in (wheel, ↑)",
+  time_farther: "Zoom out (wheel, ↓)",
+  time_all: "All of it",
   fastest: "Fastest",
   slowest: "Slowest",
   strip_at: "V {speed} · F {feed} {unit}",

@@ -32,7 +32,7 @@ export const state_ru: Record<keyof typeof state_en, string> = {
   advice: "Совет",
   note: "Замечание",
   of_cut: "при обработке",
-  no_problems: "Ошибок нет.",
+  no_problems: "Проверка и прогон замечаний не нашли. Столкновения ищет вкладка «Обработка».",
   summary: "Сводка",
   time_cutting: "На подаче",
   time_rapid: "На быстром ходу",

@@ -43,6 +43,7 @@ export const view_ru: Record<keyof typeof view_en, string> = {
   thinned_long:
     "Издали движения, которые расходятся меньше чем на полпикселя, рисуются одним отрезком; пока вид движется — крупнее. " +
     "Щелчок всё равно находит каждое.",
+  path_old: "Траектория — по тексту до последней правки",
   beyond_limits: "Траектория выходит за пределы станка",
   no_webgl: "В браузере нет WebGL: изображения не будет, всё остальное работает.",
   save_picture: "Сохранить изображение в PNG",
@@ -90,6 +91,9 @@ export const view_ru: Record<keyof typeof view_en, string> = {
   tool_before: "Предыдущий инструмент (PgUp)",
   tool_after: "Следующий инструмент (PgDn)",
   loop_off: "Снять повтор",
+  time_closer: "Крупнее (колесо, ↑)",
+  time_farther: "Мельче (колесо, ↓)",
+  time_all: "Всё время",
   fastest: "Наибольшая",
   slowest: "Наименьшая",
   strip_at: "V {speed} · F {feed} {unit}",

@@ -1,0 +1,17 @@
+// Messages about files of the served folder.
+export interface Example {
+  name: string;
+  control: string;
+  title: string;
+}
+
+export interface FileQuestions {
+  digest: [{ file: string; known?: string }, { digest: string | null }];
+  rename: [{ file: string; to: string }, object];
+  copy: [{ file: string; to: string }, { digest: string }];
+  delete: [{ file: string }, { trash: string }];
+  restore: [{ trash: string; file: string }, object];
+  new_program: [{ control: string }, { text: string }];
+  examples: [object, { examples: Example[] }];
+  take_example: [{ name: string }, { file: string; control: string; machine?: string; setup?: string }];
+}
