@@ -16,8 +16,7 @@ export function figure_steps({ kadr, page, pictures, only }) {
     await page.waitForTimeout(300);
     await ended();
     if (setup) {
-      await page.fill(".choices input", setup);
-      await page.keyboard.press("Enter");
+      await page.selectOption(".setup-choice", setup);
       await page.waitForTimeout(300);
       await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
     }

@@ -17,8 +17,7 @@ export function lathe_steps({ kadr, page, pictures, only }) {
     await page.selectOption(".choices select[aria-label='Control']", control);
     await page.waitForTimeout(300);
     await ended();
-    await page.fill(".choices input", setup);
-    await page.keyboard.press("Enter");
+    await page.selectOption(".setup-choice", setup);
     await page.waitForTimeout(300);
     await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
   }

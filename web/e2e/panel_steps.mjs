@@ -207,19 +207,18 @@ export function panel_steps({ kadr, page, pictures, only }) {
       await page.goto(`${new URL(kadr.address()).origin}/`);
       await until("the files", () => count(".file-row"));
       await page.click(".crumbs button >> nth=0");
+      kadr.put("two-channels/wrong.json", '{"work_offsets": {"G54": {"Q": 1}}}');
       for (const name of ["two-channels", "milling.nct"])
         await page.click(`.file-row:has(.file-name:text-is("${name}"))`);
       await ended();
-      await page.fill(".choices input", "milling.json"); // of another folder
-      await page.press(".choices input", "Enter");
-      await until("that it is not there", async () => (await toasts()) !== "");
+      await page.selectOption(".setup-choice", "two-channels/wrong.json");
+      await until("that it is refused", async () => (await toasts()) !== "");
       await until(
         "what could be opened stays",
-        async () => (await count(".choices input")) && (await page.locator(".choices input").inputValue()) === "",
+        async () => (await count(".setup-choice")) && (await page.locator(".setup-choice").inputValue()) === "",
       );
       await ended();
-      await page.fill(".choices input", "two-channels/milling.json");
-      await page.press(".choices input", "Enter");
+      await page.selectOption(".setup-choice", "two-channels/milling.json");
       await ended();
       await page.click("[data-tab=panel]");
       await page.click(".operator button:has-text('Switch on')");

@@ -22,8 +22,7 @@ export function rotary_steps({ kadr, page, pictures, only }) {
         await page.waitForTimeout(300);
         await ended();
       }
-      await page.fill(".choices input", "five-axes/trunnion_drilling.json");
-      await page.keyboard.press("Enter");
+      await page.selectOption(".setup-choice", "five-axes/trunnion_drilling.json");
       await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
       const slider = await page.locator(".slider").boundingBox();
       await page.mouse.click(slider.x + 0.62 * slider.width, slider.y + slider.height / 2);

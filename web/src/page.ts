@@ -104,7 +104,15 @@ const operator_panel = new OperatorPanel(
 const tabs = new Tabs([
   { name: "problems", element: problems.element, badge: () => problems.badge() },
   { name: "summary", element: new SummaryPanel(app).element },
-  { name: "setup_tab", element: new SetupPanel(app, (line) => source.show(line)).element, whole: () => true },
+  {
+    name: "setup_tab",
+    element: new SetupPanel(
+      app,
+      (line) => source.show(line),
+      () => tabs.choose("cut_tab"),
+    ).element,
+    whole: () => true,
+  },
   { name: "cut_tab", element: cut.element, badge: () => cut.badge() },
   {
     name: "panel",

@@ -1,6 +1,6 @@
 // Every message of docs/panel-protocol.md. Units: mm, degrees, seconds, mm/min, rev/min; lines and columns from 1.
 import type { JsonTable, Language } from "./types/base";
-import type { Compared, CutQuestion, CutResult, Finding, PartAnswer, Proposals, Sheet } from "./types/cut";
+import type { Compared, CutQuestion, CutResult, Finding, PartAnswer, Proposals, Sheet, Tool } from "./types/cut";
 import type { FileQuestions } from "./types/files";
 import type {
   ConvertQuestion,
@@ -64,6 +64,7 @@ export interface Questions extends FileQuestions {
   proposals: [{ tools?: string }, Proposals];
   sheet: [object, Sheet];
   setup_form: [object, SetupForm];
+  keep_tools: [{ file: string; digest: string | null; tools: Tool[] }, { digest: string }];
   keep_setup: [{ file: string; digest: string | null; values: JsonTable }, { digest: string }];
   read: [{ file: string }, { text: string; digest: string; encoding: string }];
   compare: [{ file?: string; text?: string; control?: string; tolerance?: number }, Compared];

@@ -22,6 +22,19 @@ const of_offsets: Record<string, TextKey> = {
   Z: "column_z",
   Z_wear: "column_z_wear",
 };
+const of_tool_table: Record<string, [TextKey, string]> = {
+  T: ["column_type", ""],
+  info: ["column_info", ""],
+  form: ["column_form", ""],
+  status: ["column_status", ""],
+  counter: ["column_counter", ""],
+  life: ["column_life", ""],
+  warn: ["column_warn", ""],
+  H: ["column_h", ""],
+  D: ["column_d", ""],
+  S: ["column_s", "rpm"],
+  F: ["column_f", "feed"],
+};
 const without_unit = ["tip", "tip_position"];
 
 export interface ColumnTitle {
@@ -34,5 +47,8 @@ export function column_title(table: string, key: string): ColumnTitle {
   if (key === "") return { text: t("value"), unit: table === "correctors" ? t("mm") : "" };
   if (table === "offsets" && of_offsets[key])
     return { text: t(of_offsets[key]), unit: without_unit.includes(key) ? "" : t("mm") };
+  const of_row = table === "tool_table" ? of_tool_table[key] : undefined;
+  if (of_row) return { text: t(of_row[0]), unit: of_row[1] && t(of_row[1] === "rpm" ? "unit_rpm" : "unit_feed") };
+  if (!["work_offsets", "zeros"].includes(table)) return { text: key, unit: "" };
   return { text: key, unit: /^[ABC]|^G1[789]$/.test(key) ? "°" : t("mm") };
 }

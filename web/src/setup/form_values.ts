@@ -31,7 +31,7 @@ export class FormValues {
 
   constructor(public form: SetupForm) {}
 
-  /// Takes the state of the file anew; what was typed stays.
+  /// Takes the file as it is now; what was typed stays.
   renew(form: SetupForm): void {
     this.form = form;
   }

@@ -1,5 +1,5 @@
 // The set-up of a program as a form: what the program uses, with the values of its set-up file and proposals of its
-// comments. It is saved beside the program and run at once; no machine needs to be on.
+// comments. It is saved next to the program, which is run at once; no machine needs to be on.
 import type { App } from "../model/app";
 import { remember, remembered } from "../model/memory";
 import { Refused } from "../protocol/client";
@@ -9,7 +9,7 @@ import { ask } from "../ui/dialog";
 import { button, fill, h } from "../ui/dom";
 import { toast } from "../ui/toast";
 import { FormValues } from "./form_values";
-import { setup_table } from "./setup_tables";
+import { setup_table, setup_tools } from "./setup_tables";
 
 const most_ranges = 10; // lines that were not executed
 
@@ -22,10 +22,11 @@ export class SetupPanel {
   private head = h("div", { class: "setup-head" });
   private body = h("div");
 
-  /// `line`: shows a line of the program.
+  /// `line`: shows a line of the program; `cut`: shows blank and tools.
   constructor(
     private app: App,
     private line: (n: number) => void,
+    private cut: () => void,
   ) {
     this.element.append(this.head, this.body);
     app.on_opening.on(() => this.outdated());
@@ -90,6 +91,7 @@ export class SetupPanel {
       ...this.notes(form),
       ...used.map((name) => setup_table(name, values, verbs)),
       this.switches(values),
+      setup_tools(form, this.line, this.cut),
       others.length > 0 &&
         h(
           "details",

@@ -1,6 +1,6 @@
 // The tables of the set-up form: a row for each zero and offset that the program uses or the file states.
 import { t, type TextKey } from "../texts/texts";
-import type { SetupRow } from "../protocol/types";
+import type { SetupForm, SetupRow } from "../protocol/types";
 import { button, h } from "../ui/dom";
 import { column_title } from "./column_titles";
 import { number_in, type FormRow, type FormValues } from "./form_values";
@@ -77,6 +77,32 @@ export function setup_table(table: string, values: FormValues, verbs: TableVerbs
           { title: t("zero_all_long") },
         ),
     ),
+  );
+}
+
+/// The tools that the program calls, with what comments tell of them; their shapes are forms of their own.
+export function setup_tools(form: SetupForm, line: (n: number) => void, cut: () => void): HTMLElement {
+  const tools = form.rows.filter((r) => r.table === "tool");
+  const told = (r: SetupRow): string => {
+    const why = r.by ?? r.unsure;
+    return why ? t(r.by ? "tool_by" : "unsure_by", { line: why.line, text: why.text }) : t("tool_untold");
+  };
+  return h(
+    "section",
+    { class: "setup-table", "data-table": "tools" },
+    h("h3", null, t("setup_tools")),
+    ...tools.map((r) =>
+      h(
+        "div",
+        { class: "why" },
+        h("b", null, `T${r.row}`),
+        r.diameter !== undefined && ` Ø ${Math.round(1e4 * r.diameter) / 1e4} ${t("mm")}`,
+        " ",
+        button(t("used_in", { line: r.line }), () => line(r.line), { class: "link use", title: t("show_line") }),
+        h("span", { class: "dim" }, told(r)),
+      ),
+    ),
+    h("div", { class: "row wrap" }, button(t("setup_to_cut"), cut)),
   );
 }
 

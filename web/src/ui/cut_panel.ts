@@ -1,45 +1,22 @@
 // Cutting: blank and tools as proposed, which can be changed; then the progress, the collisions, and the remaining
 // stock.
 import type { App } from "../model/app";
-import { box_of, cylinder_of, extent_of, proper, stock_of, stock_of_cylinder, type Cylinder } from "../model/stock";
-import { shape_of, with_inserts } from "../model/tool_shape";
-import { diameter_sign } from "../model/diameters";
-import type { Box, CutThread, Insert, PartAnswer, Problem, Tool } from "../protocol/types";
-import { on_language, t, type TextKey } from "../texts/texts";
+import { extent_of } from "../model/stock";
+import { Refused } from "../protocol/client";
+import type { BlankSource, Box, Insert, KeptFile, PartAnswer, Problem, Tool } from "../protocol/types";
+import { on_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
-import { length, length_told, short, volume_told } from "./figures";
-import { tool_picture } from "./outline";
 import { CutProblems } from "./problems_panel";
-import { fact } from "./summary";
-
-const kinds = ["flat", "ball", "bull", "drill", "taper", "chamfer", "tslot", "form", "turning"];
-const sizes: (keyof Tool & ("diameter" | "corner" | "angle" | "lead" | "width" | "tip" | "flute_length" | "length"))[] =
-  ["diameter", "corner", "angle", "lead", "width", "tip", "flute_length", "length"];
-const sizes_of: Record<string, string[]> = {
-  flat: [],
-  ball: [],
-  bull: ["corner"],
-  drill: ["angle", "tip"],
-  chamfer: ["angle", "tip"],
-  taper: ["angle"],
-  turning: ["corner", "angle", "lead", "width"],
-};
-/// The programmed point of an insert, by the directions from the nose's centre, with the number of the imaginary tip.
-const tips: [string, string][] = [
-  ["-x-z", "3"],
-  ["-x+z", "4"],
-  ["+x-z", "2"],
-  ["+x+z", "1"],
-  ["-x", "8"],
-  ["+x", "6"],
-  ["-z", "7"],
-  ["+z", "5"],
-  ["centre", "0, 9"],
-];
+import { stock_form } from "./stock_form";
+import { cut_facts } from "./cut_facts";
+import { toast } from "./toast";
+import { text_input, tool_form } from "./tool_form";
 
 export class CutPanel {
   readonly element = h("div", { class: "cut" });
   private stock = "";
+  private by: BlankSource | null = null; // what states the blank
+  private keep: KeptFile | null = null; // the tools file of the program
   private tools: Tool[] = [];
   private files: string[] = []; // tools files next to the program
   private fixtures: string[] = [];
@@ -99,12 +76,14 @@ export class CutPanel {
         // changes by the user stay while the program is edited
         this.touched = false;
         this.stock = p.stock ?? "";
+        this.by = p.stock_by ?? null;
         this.tools = p.tools ?? [];
-        this.fixtures = [];
+        this.fixtures = p.fixtures ?? [];
         this.resolution = "";
       } else this.tools.push(...(p.tools ?? []).filter((x) => !this.tools.some((y) => y.number === x.number)));
       this.of = opened;
       this.files = p.files ?? [];
+      this.keep = p.keep ?? null;
       this.inserts = p.inserts ?? [];
       this.known = true;
     } catch {
@@ -131,11 +110,20 @@ export class CutPanel {
       fill(
         this.form,
         h("h3", null, `${t("stock")}, ${t("mm")}`),
-        this.stock_form(),
+        stock_form(this.stock, this.by, (stock) => {
+          this.stock = stock;
+          this.by = null;
+          this.draw();
+        }),
         this.fixtures_form(),
         h("h3", null, `${t("tools")}, ${t("mm")}`),
         this.files_form(),
-        ...this.tools.map((x) => this.tool_form(x)),
+        ...this.tools.map((x) =>
+          tool_form(x, this.inserts, () => {
+            this.inserts = this.inserts.filter((i) => i.tool !== x.number);
+            this.draw();
+          }),
+        ),
         button(t("add_tool"), () => {
           this.touched = true;
           this.tools.push({
@@ -156,7 +144,7 @@ export class CutPanel {
           "label",
           { class: "field" },
           h("span", null, t("resolution")),
-          this.input(
+          text_input(
             this.resolution,
             (v) => {
               this.resolution = v;
@@ -166,6 +154,8 @@ export class CutPanel {
           h("span", { class: "dim" }, t("mm")),
         ),
     );
+    if (this.known && this.app.hello?.may_change && this.keep)
+      this.start.append(button(t("cut_keep"), () => void this.keep_all(), { title: t("cut_keep_long") }));
     this.draw_run();
     this.draw_told(null);
     this.show();
@@ -184,87 +174,6 @@ export class CutPanel {
           ? button(t("stop"), () => this.app.stop(), { class: "stop" })
           : button(t("cut"), () => this.run(), { class: "main", disabled: !this.app.done }),
       );
-  }
-
-  private stock_form(): HTMLElement {
-    const box = box_of(this.stock),
-      cylinder = cylinder_of(this.stock);
-    const text = h(
-      "label",
-      { class: "field" },
-      h("span", null, t("stock_as_text")),
-      this.input(
-        this.stock,
-        (v) => {
-          this.stock = v;
-          this.draw();
-        },
-        { class: "wide" },
-      ),
-    );
-    if (cylinder) return h("div", null, this.cylinder_form(cylinder), text);
-    if (!box) return text;
-    const cell = (corner: 0 | 1, i: number): HTMLElement =>
-      h(
-        "td",
-        null,
-        this.input(
-          String(box[corner][i]),
-          (v) => {
-            box[corner][i] = Number(v.replace(",", "."));
-            this.stock = stock_of(box);
-            this.draw();
-          },
-          { inputmode: "decimal", "aria-label": `${"XYZ"[i]} ${t(corner ? "to" : "from")}` },
-        ),
-      );
-    return h(
-      "div",
-      null,
-      h(
-        "table",
-        { class: "list stock-form" },
-        h(
-          "thead",
-          null,
-          h("tr", null, h("th", null), h("th", { scope: "col" }, t("from")), h("th", { scope: "col" }, t("to"))),
-        ),
-        h(
-          "tbody",
-          null,
-          ...[0, 1, 2].map((i) => h("tr", null, h("th", { scope: "row" }, "XYZ"[i]!), cell(0, i), cell(1, i))),
-        ),
-      ),
-      !proper(box) && h("p", { class: "hint error" }, t("stock_inside_out")),
-      text,
-    );
-  }
-
-  /// A bar or a tube about Z.
-  private cylinder_form(c: Cylinder): HTMLElement {
-    const field = (key: keyof Cylinder, name: TextKey): HTMLElement =>
-      h(
-        "label",
-        { class: "field small" },
-        h("span", null, t(name)),
-        this.input(
-          String(c[key]),
-          (v) => {
-            const n = Number(v.replace(",", "."));
-            if (Number.isFinite(n)) this.stock = stock_of_cylinder({ ...c, [key]: n });
-            this.draw();
-          },
-          { inputmode: "decimal" },
-        ),
-      );
-    return h(
-      "div",
-      { class: "bar-form" },
-      field("diameter", "blank_diameter"),
-      field("bore", "blank_bore"),
-      field("from", "blank_from"),
-      field("to", "blank_to"),
-    );
   }
 
   private fixtures_form(): HTMLElement {
@@ -301,76 +210,6 @@ export class CutPanel {
     return h("label", { class: "field" }, h("span", null, t("tools_from_file")), select);
   }
 
-  private tool_form(x: Tool): HTMLElement {
-    const more = sizes_of[x.kind] ?? ["corner", "angle", "tip"],
-      turns = x.kind === "turning";
-    const changed = (): void => {
-      delete x.by_offset; // it is no longer what the offset table says
-      this.inserts = this.inserts.filter((i) => i.tool !== x.number);
-      this.draw();
-    };
-    const point = h(
-      "select",
-      {
-        "aria-label": t("tip_number"),
-        title: t("tip_number"),
-        onchange: () => {
-          x.points = point.value;
-          changed();
-        },
-      },
-      ...tips.map(([points, number]) => option(points, `${points} (${number})`, points === x.points)),
-    );
-    const select = h(
-      "select",
-      {
-        "aria-label": t("kind"),
-        onchange: () => {
-          x.kind = select.value;
-          if (x.kind === "turning") x.points ??= "-x-z";
-          changed();
-        },
-      },
-      ...kinds.map((k) => option(k, t(`kind_${k}` as TextKey), k === x.kind)),
-    );
-    const fields = sizes
-      .filter((s) => [turns ? "" : "diameter", "flute_length", "length", ...more].includes(s))
-      .map((s) =>
-        h(
-          "label",
-          { class: "field small" },
-          h("span", null, t(turns && s === "corner" ? "nose_radius" : s)),
-          this.input(
-            x[s] === undefined ? "" : String(x[s]),
-            (v) => {
-              if (v.trim() === "") delete x[s];
-              else x[s] = Number(v.replace(",", "."));
-              changed();
-            },
-            { inputmode: "decimal" },
-          ),
-        ),
-      );
-    return h(
-      "fieldset",
-      { class: x.known === false ? "tool-form unknown" : "tool-form" },
-      h("legend", null, `T${x.number} ${x.name ?? ""}`),
-      tool_picture(with_inserts(shape_of(x), this.inserts), `T${x.number}`, 44, 96),
-      h(
-        "div",
-        { class: "tool-fields" },
-        x.known === false && h("p", { class: "hint" }, t("shape_unknown")),
-        h("div", { class: "row" }, select, turns && point, h("span", { class: "dim from" }, x.from ?? "")),
-        h("div", { class: "fields" }, ...fields),
-      ),
-    );
-  }
-
-  private input(v: string, changed: (v: string) => void, more: Record<string, unknown> = {}): HTMLInputElement {
-    const e = h("input", { type: "text", value: v, ...more, onchange: () => changed(e.value) });
-    return e;
-  }
-
   private run(): void {
     const r = Number(this.resolution.replace(",", "."));
     const tools = this.tools.map(({ from: _, known: __, ...shape }) => shape);
@@ -382,48 +221,27 @@ export class CutPanel {
     });
   }
 
-  private draw_told(part: number | null): void {
-    const { app } = this,
-      c = app.cut;
-    const bar =
-      part !== null && app.cutting ? h("progress", { max: 1, value: part, "aria-label": t("cutting") }) : null;
-    fill(
-      this.told,
-      bar,
-      c &&
-        !c.error &&
-        h(
-          "dl",
-          { class: "facts" },
-          ...fact(t("stock"), volume_told(c.stock)),
-          ...fact(t("removed"), volume_told(c.removed)),
-          ...fact(t("left"), volume_told(c.left)),
-          ...(c.turned ? [] : fact(t("cell"), length_told(c.resolution))),
-          ...(c.threads ?? []).flatMap((x) => fact(t("thread_of", { tool: x.tool }), thread_told(x))),
-        ),
-      this.part &&
-        h(
-          "p",
-          { class: "note" },
-          t(this.part.section ? "turned_told" : "part_told", {
-            left: volume_told(this.part.left),
-            triangles: short(this.part.triangles),
-            cell: length_told(this.part.cell),
-          }),
-        ),
-      ...(c?.notes ?? []).map((note) => h("p", { class: "note" }, note)),
-      ...this.hit.rows(),
-    );
+  /// Writes blank and fixtures into the set-up of the program, and the tools into its tools file.
+  private async keep_all(): Promise<void> {
+    const { app, keep } = this;
+    if (!keep) return;
+    const tools = this.tools.filter((x) => !x.by_offset).map(({ from: _, known: __, ...shape }) => shape);
+    try {
+      const form = await app.client.ask("setup_form", {});
+      const values = { stock: this.stock || null, fixtures: this.fixtures.length ? this.fixtures : null };
+      if (tools.length) keep.digest = (await app.client.ask("keep_tools", { ...keep, tools })).digest;
+      await app.client.ask("keep_setup", { file: form.file, digest: form.digest, values });
+      toast(t("cut_kept", { setup: form.file, tools: keep.file }));
+      app.on_files.emit(form.file);
+      if (app.choice.setup !== form.file) await app.run_again({ ...app.choice, setup: form.file });
+    } catch (e) {
+      app.tell(e instanceof Refused && e.changed ? t("cut_not_kept", { tools: keep.file }) : e);
+    }
   }
-}
 
-/// "Ø 24.000 – Ø 21.546, lead 2.000 mm, 8 passes".
-function thread_told(x: CutThread): string {
-  const crest = x.crest ?? x.from.diameter;
-  return t("thread_told", {
-    crest: `${diameter_sign} ${length(crest)}`,
-    root: `${diameter_sign} ${length(x.to.diameter)}`,
-    lead: x.lead === undefined ? "–" : length_told(x.lead),
-    passes: x.passes,
-  });
+  private draw_told(part: number | null): void {
+    const bar =
+      part !== null && this.app.cutting ? h("progress", { max: 1, value: part, "aria-label": t("cutting") }) : null;
+    fill(this.told, bar, ...cut_facts(this.app.cut, this.part), ...this.hit.rows());
+  }
 }

@@ -1,22 +1,12 @@
 // Tables of a machine: values of the set-up file, edits made here, changes by the program. Edits are in force at once.
 import type { App } from "../model/app";
 import type { Operator } from "../model/operator";
-import type { Json, JsonTable, Tables } from "../protocol/types";
+import type { JsonTable, Tables } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option, redraw } from "./dom";
 import { axis_name, factor, no_diameters } from "../model/diameters";
+import { read_value, table, table_rows, table_variables, type TableEdits } from "./table_rows";
 import { toast } from "./toast";
-
-const offset_columns = ["length", "length_wear", "radius", "radius_wear"];
-const lathe_columns = ["X", "X_wear", "Z", "Z_wear", "radius", "radius_wear", "tip"];
-/// A lathe's tools have a length along each axis.
-const columns_of_offsets = (operator: Operator): string[] =>
-  operator.panel?.diameters?.length ? lathe_columns : offset_columns;
-const of_rows = ["work_offsets", "zeros", "offsets", "tool_table", "form_table"]; // a row has columns; the others have one value per row
-
-const table = (of: Json | undefined): JsonTable => (of && typeof of === "object" && !Array.isArray(of) ? of : {});
-const shown = (v: Json | undefined): string =>
-  v === undefined || v === null ? "" : typeof v === "object" ? JSON.stringify(v) : String(v);
 
 export class TablesPanel {
   readonly element = h("details", { class: "tables" });
@@ -25,6 +15,10 @@ export class TablesPanel {
   private section = "";
   private asking = false;
   private told = "{}"; // the edits, as last reported
+  private edits: TableEdits = {
+    take: (input, tables) => this.take(input, tables),
+    edit: (tables) => void this.edit(tables),
+  };
 
   /// `changed`: the edits, to be laid over the set-up wherever the program runs.
   constructor(
@@ -121,7 +115,9 @@ export class TablesPanel {
       ),
       (p.diameters ?? []).length > 0 && h("p", { class: "note" }, t("tables_radii", { axes: p.diameters!.join(", ") })),
       !s.lasts && h("p", { class: "note" }, t("tables_not_kept")),
-      this.section === "variables" ? this.variables(s, may) : this.rows(s, may),
+      this.section === "variables"
+        ? table_variables(s, may, this.edits)
+        : table_rows(s, this.section, this.operator, may, this.edits),
       this.section === "offsets" &&
         h(
           "div",
@@ -129,148 +125,6 @@ export class TablesPanel {
           button(t("tables_propose"), () => void this.propose(s), { disabled: !may, title: t("tables_propose_long") }),
         ),
       this.section === "work_offsets" && this.touch_off(may),
-    );
-  }
-
-  private rows(s: Tables, may: boolean): HTMLElement {
-    const of_file = table(s.file[this.section]),
-      edited = table(s.edited[this.section]),
-      now = table(s.now[this.section]);
-    const names = [...new Set([...Object.keys(of_file), ...Object.keys(edited), ...Object.keys(now)])].sort((a, b) =>
-      a.localeCompare(b, "en", { numeric: true }),
-    );
-    const by_columns = of_rows.includes(this.section);
-    const columns = !by_columns
-      ? []
-      : this.section === "offsets"
-        ? columns_of_offsets(this.operator)
-        : ["work_offsets", "zeros"].includes(this.section)
-          ? this.operator.axes
-          : [...new Set(names.flatMap((n) => [...Object.keys(table(of_file[n])), ...Object.keys(table(edited[n]))]))];
-    const cell = (row: string, column: string | null): HTMLElement => {
-      const from = column === null ? of_file[row] : table(of_file[row])[column],
-        here = column === null ? edited[row] : table(edited[row])[column],
-        live = column === null ? undefined : table(now[row])[column];
-      const value = here ?? from,
-        other = live !== undefined && Number(live) !== Number(value ?? 0);
-      const where = other
-        ? t("from_program", { value: shown(live) })
-        : here !== undefined
-          ? t("from_here", { value: shown(from) || "0" })
-          : from !== undefined
-            ? t("from_setup")
-            : "";
-      const input = h("input", {
-        size: "9",
-        inputmode: "decimal",
-        disabled: !may,
-        class: here !== undefined ? "edited" : other ? "by-program" : "",
-        title: where,
-        "aria-label": `${t(`table_${this.section}` as TextKey)} ${row} ${column ?? ""} ${where}`.trim(),
-        value: shown(value),
-        onchange: () =>
-          void this.take(input, {
-            [this.section]: { [row]: column === null ? this.read(input.value) : { [column]: this.read(input.value) } },
-          }),
-      });
-      return h("td", null, input);
-    };
-    const name = h("input", { size: "8", "aria-label": t("tables_new_row"), placeholder: t("tables_new_row") });
-    const add = (): void => {
-      const n = name.value.trim();
-      name.value = "";
-      if (n) void this.edit({ [this.section]: { [n]: by_columns ? { [columns[0] ?? "X"]: 0 } : 0 } });
-    };
-    return h(
-      "div",
-      { class: "table-scroll" },
-      h(
-        "table",
-        { class: "table-rows" },
-        by_columns &&
-          h("thead", null, h("tr", null, h("th", null), ...columns.map((c) => h("th", { scope: "col" }, c)))),
-        h(
-          "tbody",
-          null,
-          ...names.map((n) =>
-            h(
-              "tr",
-              null,
-              h("th", { scope: "row" }, n),
-              ...(by_columns ? columns.map((c) => cell(n, c)) : [cell(n, null)]),
-            ),
-          ),
-        ),
-      ),
-      h("div", { class: "row" }, name, button(t("tables_add"), add, { disabled: !may })),
-    );
-  }
-
-  private variables(s: Tables, may: boolean): HTMLElement {
-    const of_file = table(s.file["variables"]),
-      edited = table(s.edited["variables"]),
-      live = new Map(s.variables.map((v) => [v.name, v]));
-    const names = [...new Set([...live.keys(), ...Object.keys(of_file), ...Object.keys(edited)])].sort((a, b) =>
-      a.localeCompare(b, "en", { numeric: true }),
-    );
-    const name = h("input", { size: "8", "aria-label": t("tables_new_row"), placeholder: "#500" }),
-      value = h("input", { size: "8", "aria-label": t("value"), inputmode: "decimal" });
-    return h(
-      "div",
-      { class: "table-scroll" },
-      h(
-        "table",
-        { class: "table-rows" },
-        h(
-          "tbody",
-          null,
-          ...names.map((n) => {
-            const v = live.get(n),
-              input = h("input", {
-                size: "12",
-                inputmode: "decimal",
-                disabled: !may,
-                "aria-label": `${t("force_variable")} ${n}`,
-                class: edited[n] !== undefined ? "edited" : "",
-                value: shown(v?.value ?? edited[n] ?? of_file[n]),
-                onchange: () => void this.take(input, { variables: { [n]: this.read(input.value) } }),
-              });
-            return h(
-              "tr",
-              null,
-              h("th", { scope: "row" }, n),
-              h("td", null, input),
-              h(
-                "td",
-                { class: "dim" },
-                v?.line
-                  ? t("set_by_line", { line: v.line })
-                  : edited[n] !== undefined
-                    ? t("from_here", { value: shown(of_file[n]) || "–" })
-                    : of_file[n] !== undefined
-                      ? t("from_setup")
-                      : "",
-              ),
-            );
-          }),
-        ),
-      ),
-      h(
-        "div",
-        { class: "row" },
-        name,
-        value,
-        button(
-          t("tables_add"),
-          () => {
-            const n = name.value.trim(),
-              v = this.read(value.value) ?? 0;
-            name.value = value.value = "";
-            if (n) void this.edit({ variables: { [n]: v } });
-          },
-          { disabled: !may },
-        ),
-      ),
     );
   }
 
@@ -301,7 +155,7 @@ export class TablesPanel {
       wanted = h("input", { size: "8", value: "0", inputmode: "decimal", "aria-label": t("value") });
     const go = (): void => {
       const a = axis.value,
-        v = this.read(wanted.value);
+        v = read_value(wanted.value);
       if (typeof v === "number" && p.position[a] !== undefined) zero.shift(a, p.position[a]! - v / factor(a, of));
     };
     return h(
@@ -335,12 +189,5 @@ export class TablesPanel {
 
   private async keep(file: string): Promise<void> {
     if (await this.operator.ask("keep_tables", { setup: file })) toast(t("tables_kept", { file }));
-  }
-
-  /// null removes an edit.
-  private read(text: string): Json {
-    const s = text.trim().replace(",", ".");
-    if (s === "") return null;
-    return Number.isFinite(Number(s)) ? Number(s) : text.trim();
   }
 }

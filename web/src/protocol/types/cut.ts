@@ -72,8 +72,21 @@ export interface CutResult {
   threads?: CutThread[];
   error?: { text: string };
 }
+/// What states the blank: a comment, or line 0 and the file of the set-up.
+export interface BlankSource {
+  line: number;
+  text: string;
+}
+/// A file next to the program, with the digest of the version on the disk; null: there is none yet.
+export interface KeptFile {
+  file: string;
+  digest: string | null;
+}
 export interface Proposals {
   stock: string;
+  stock_by?: BlankSource;
+  fixtures?: string[];
+  keep?: KeptFile; // the tools file of the program
   tools: Tool[];
   files?: string[];
   inserts?: Insert[];

@@ -36,4 +36,11 @@ export const cut_en = {
   cell: "Cell",
   nothing_hit: "Nothing was hit.",
   part_told: "Now: {left} left; shown with a cell of {cell}, {triangles} triangles",
+  stock_by_line: "stated in line {line}: “{text}”",
+  stock_by_setup: "by the set-up {text}",
+  cut_keep: "Keep",
+  cut_keep_long: "Writes blank and fixtures into the set-up of the program, and the tools into its tools file",
+  cut_kept: "Kept in {setup} and {tools}",
+  cut_not_kept:
+    "The set-up or {tools} was changed on the disk by somebody else: nothing was overwritten. Open the program again to see it.",
 };

@@ -38,4 +38,10 @@ export const cut_ru: Record<keyof typeof cut_en, string> = {
   cell: "Ячейка",
   nothing_hit: "Столкновений нет.",
   part_told: "Сейчас: осталось {left}; показано с шагом {cell}, треугольников {triangles}",
+  stock_by_line: "указана в строке {line}: «{text}»",
+  stock_by_setup: "из наладки {text}",
+  cut_keep: "Сохранить",
+  cut_keep_long: "Записывает заготовку и приспособления в наладку УП, а инструменты – в её файл инструментов",
+  cut_kept: "Сохранено в {setup} и {tools}",
+  cut_not_kept: "Наладка или {tools} изменены на диске кем-то другим: ничего не перезаписано. Откройте УП заново.",
 };
