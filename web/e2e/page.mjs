@@ -15,6 +15,7 @@ import { setup_steps } from "./setup_steps.mjs";
 import { rotary_steps } from "./rotary_steps.mjs";
 import { view_steps } from "./view_steps.mjs";
 import { file_steps } from "./file_steps.mjs";
+import { live_steps } from "./live_steps.mjs";
 import { figure_steps } from "./figure_steps.mjs";
 import { lathe_steps } from "./lathe_steps.mjs";
 import { list_steps } from "./list_steps.mjs";
@@ -188,7 +189,7 @@ const alone = only || (wanted && wanted !== "view"); // no program is open when 
 const place = { kadr, page, pictures, examples, only: alone };
 // Each group runs alone, in a browser of its own (tests/page_in_browser.py), or all of them in this order. The build reads
 // this line: each name is a test.
-const group_names = ["view", "files", "text", "figures", "setup", "panel", "making"];
+const group_names = ["view", "files", "text", "figures", "setup", "panel", "live", "making"];
 const groups = {
   view: { ...main_steps, ...rotary_steps({ kadr, page, pictures, only }) },
   files: file_steps(place),
@@ -196,6 +197,7 @@ const groups = {
   figures: { ...figure_steps(place), ...lathe_steps(place) },
   setup: setup_steps(place),
   panel: { ...list_steps(place), ...panel_steps(place) },
+  live: live_steps(place),
   making: {
     ...making_steps(place),
     ...convert_steps(place),

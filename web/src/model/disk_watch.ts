@@ -29,7 +29,10 @@ export class DiskWatch {
       const known = app.digest;
       const { digest } = await app.client.ask("digest", { file, known: known ?? "" });
       if (app.opened?.file !== file || app.digest !== known) return; // opened, saved or renamed meanwhile
-      if (digest === null) return this.tell({ file, text: null });
+      if (digest === null) {
+        if (known !== null) app.lost_on_disk();
+        return this.tell({ file, text: null });
+      }
       if (digest === known) return this.tell(null);
       if (this.change && this.change.text !== null && this.change.digest === digest) return;
       const read = await app.client.ask("read", { file });
@@ -45,8 +48,9 @@ export class DiskWatch {
 
   private compare_known(): void {
     const { change, app } = this;
-    if (change && (app.opened?.file !== change.file || (change.text !== null && app.digest === change.digest)))
-      this.tell(null);
+    if (!change) return;
+    const known = change.text === null ? app.digest !== null : app.digest === change.digest;
+    if (known || app.opened?.file !== change.file) this.tell(null);
   }
 
   private tell(change: DiskChange | null): void {

@@ -1,7 +1,7 @@
 // The editor of a program that is held in the page: undo, search, problems, the running line.
 import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirror/commands";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
-import { EditorState, StateEffect, StateField, RangeSet } from "@codemirror/state";
+import { EditorState, Prec, StateEffect, StateField, RangeSet } from "@codemirror/state";
 import {
   Decoration,
   EditorView,
@@ -110,16 +110,22 @@ export function editor_view(
           spellcheck: "false",
           autocapitalize: "characters",
         }),
+        Prec.highest(
+          EditorView.domEventHandlers({
+            keydown: (e) => {
+              if (!save_as || !e.shiftKey || !(e.ctrlKey || e.metaKey) || e.code !== "KeyS") return false;
+              e.preventDefault();
+              save_as();
+              return true;
+            },
+          }),
+        ),
         keymap.of([
           {
             key: "Mod-s",
             preventDefault: true,
             run: () => {
               save();
-              return true;
-            },
-            shift: () => {
-              save_as?.();
               return true;
             },
           },

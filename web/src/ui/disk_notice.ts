@@ -12,7 +12,6 @@ export function disk_notice(app: App, watch: DiskWatch, compare: (name: string, 
     if (!change) return;
     const { file } = change;
     if (change.text === null) {
-      if (app.digest !== null) app.lost_on_disk();
       return fill(
         e,
         h("span", null, t("gone_from_disk", { file })),

@@ -29,6 +29,7 @@ export class ScenePane {
   private section: SectionBar;
   private told = h("div", { class: "scene-told", "aria-live": "polite" });
   private thinned_told = h("div", { class: "scene-thinned" });
+  private empty_told = h("div", { class: "scene-empty" });
   private old_told = h("div", { class: "scene-old", "aria-live": "polite" });
   private legend = h("div", { class: "scene-legend" });
   private flags = new Flags((time) => this.app.seek(time));
@@ -81,6 +82,7 @@ export class ScenePane {
       this.section.element,
       this.told,
       this.old_told,
+      this.empty_told,
       this.tip,
     );
     this.scene = this.make(host, picked);
@@ -242,6 +244,8 @@ export class ScenePane {
 
   private draw(): void {
     this.element.setAttribute("aria-label", t("view_3d"));
+    this.empty_told.textContent = t("nothing_yet");
+    this.empty_told.hidden = this.app.opened !== null || this.app.running;
     this.bar.setAttribute("aria-label", t("view_3d"));
     const look = h(
       "select",
