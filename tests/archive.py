@@ -91,6 +91,10 @@ def some_programs(kadr, folder, count):
 def check_each_result_is_that_of_kadr(kadr):
     shutil.copytree(ROOT / 'examples', kadr.folder / 'a')
     kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)
+    for path in list((kadr.folder / 'a').rglob('*.tbl')) + list((kadr.folder / 'a').rglob('*.toml')):
+        others = [other for other in path.parent.glob(f'{path.stem}.*') if other.suffix not in ('.toml', '.tbl', '.json')]
+        if path.name == 'tools.toml' or others:
+            path.unlink()   # a tools file: kadr check reads it, kadr-archive does not
     rows = kadr.db('SELECT folder, name, control, state, result FROM present WHERE fault IS NULL')
     expect(len(rows) > 60, f'{len(rows)} programs')
     for folder, name, control, state, result in rows:

@@ -216,6 +216,9 @@ def main(given: Optional[Sequence[str]] = None) -> int:
     except (Wrong, WrongFile, CannotWork, OSError, ValueError) as error:
         print(f'kadr-archive: {error}', file=sys.stderr)
         return WRONG
+    except kadr.Error as error:   # a fault in a .kadr.toml
+        print(f'kadr-archive: {error}', file=sys.stderr)
+        return WRONG
     except sqlite3.Error as error:
         print(f'kadr-archive: {getattr(of, "db", "")}: {error}', file=sys.stderr)
         return WRONG

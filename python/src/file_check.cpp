@@ -24,8 +24,7 @@ FileCheck check_file(const ProgramSpec& spec) {
   if (const std::string why = spec.refusal(); !why.empty()) throw Failed{why};
   FileCheck checked;
   const std::size_t programs = spec.count_programs();
-  ChecklistBasis basis{tool_table_next_to(spec.file()), programs == 1, programs == 1};
-  basis.own_tools = programs == 1 && basis.tools && basis.tools->kind == ToolTable::Kind::own;
+  const ChecklistBasis basis{.tools = {}, .own_tools = false, .own_setup = false};  // the set-up is that of many programs
   std::atomic<bool> stop = false;
   ProgramCheck check({.stated = spec.stated(), .basis = basis, .stop = StopToken(stop)}, [&](std::size_t, const AlarmReport& report) {
     checked.findings.push_back(spec.finding(report));

@@ -13,7 +13,8 @@ struct FileCheck {
   std::vector<std::string> files;  // the files that the programs have called; the file itself is not listed
 };
 
-/// Returns everything that `kadr check` finds in the file, each finding once. Tools files next to the program are read as there.
+/// Returns everything that `kadr check` finds in the file, each finding once. Tools files next to the program are not read, so that the
+/// result depends on the program only, and on the files that it calls.
 ///   throws  Interrupted, Failed, FileFailed
 FileCheck check_file(const ProgramSpec& spec);
 
