@@ -15,7 +15,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_edited = std::size_t{8} << 20;  // greatest size of a program, bytes
-constexpr std::size_t max_differences = 20;               // greatest number of differences that the answer lists
+constexpr std::size_t max_listed = 20;                    // greatest number of differences that the answer lists
 
 /// Reads `edits`: {"feed": ["T3=80%"], "mirror": "X"}, by the names of the options of kadr edit.
 ///   returns  an error sentence if a name or a word is wrong
@@ -49,7 +49,7 @@ PageJson refusals_json(const Comparison& proof, const OpenedProgram& opened, Lan
     return list;
   }
   list.push_back(refusal_json(translated(texts::edit_command::not_proven), 0));
-  for (std::size_t i = 0; i < std::min(max_differences, proof.differences.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_listed, proof.differences.size()); ++i) {
     const CourseDifference& d = proof.differences[i];
     list.push_back(refusal_json(sentence_of(d, lang), d.a.file.empty() ? d.a.origin.line : 0));
   }
