@@ -11,6 +11,7 @@ import csv
 import io
 import json
 import os
+import pty
 import random
 import re
 import shutil
@@ -265,6 +266,7 @@ def check_a_program_that_kills_twice_is_quarantined(kadr):
                 killed.add(child)
         time.sleep(0.05)
     expect(process.wait(120) == 1, f'exit status {process.returncode}')
+    expect(b'endless.nc: quarantined' in process.stderr.read(), 'the program is not named')
     states = dict(kadr.db('SELECT name, state FROM present'))
     expect(states == {'endless.nc': 'killed', 'z.nc': 'ok'}, states)
     reason, = kadr.db("SELECT reason FROM present WHERE name = 'endless.nc'")[0]
@@ -494,6 +496,42 @@ def check_names_that_are_no_text(kadr):
         to.write(GOOD.format(3).encode())
     kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc')
     kadr.archive('run', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc')
+
+
+def check_the_bar(kadr):
+    if subprocess.run([PYTHON, '-c', 'import tqdm'], capture_output=True, check=False).returncode != 0:
+        harness.skipped('the progress bar of kadr-archive: python3-tqdm is missing')
+        return
+    some_programs(kadr, 'a', 20)
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen([PYTHON, '-m', 'kadr_archive', 'check', 'a', '--db', 'a.sqlite'], cwd=kadr.folder, env=kadr.environment(), stderr=theirs,
+                               stdout=subprocess.PIPE, stdin=subprocess.DEVNULL)
+    os.close(theirs)
+    seen = b''
+    try:
+        while part := os.read(ours, 65536):
+            seen += part
+    except OSError:   # the other end is closed
+        pass
+    os.close(ours)
+    expect(process.wait(60) == 1 and b'checking' in seen and b'/20 ' in seen, seen)
+    process.stdout.close()
+
+
+def check_a_worker_of_another_build_is_refused(kadr):
+    program = """
+from kadr_archive import children, places, work
+item = work.Item(places.digest(b'M2\\n'), 'linuxcnc', b'', 'p.ngc', None, b'M2\\n', {}, True)
+for build in (work.build(), 'another'):
+    one = children.Child(work.Job('check', build=build))
+    try:
+        print(one.does(item)['state'])
+    except children.WrongBuild as error:
+        print(error)
+    one.end()
+"""
+    done = subprocess.run([PYTHON, '-c', program], cwd=kadr.folder, env=kadr.environment(), capture_output=True, encoding='utf-8', timeout=200, check=False)
+    expect(re.fullmatch(r'ok\na worker has Kadr \S+, this computer has another\n', done.stdout), f'{done.stdout} {done.stderr}')
 
 
 def check_russian(kadr):

@@ -9,7 +9,7 @@ import sqlite3
 import sys
 from pathlib import Path
 from types import FrameType
-from typing import Any, Optional, Sequence
+from typing import Any, Iterator, Optional, Sequence
 
 import kadr
 
@@ -22,6 +22,7 @@ from .work import Job, build
 
 OK, FOUND, WRONG = 0, 1, 2
 STATES_AGAIN = ('time', 'memory', 'killed')
+MOST_NAMED = 20   # the table of the report and the CSV name all
 
 
 class Wrong(Exception):
@@ -164,6 +165,8 @@ def work(of: argparse.Namespace) -> int:
     faults = [fault for source in sources for fault in source.faults]
     for fault in faults:
         print(f'kadr-archive: {fault}', file=sys.stderr)
+    for name, state, reason in hostile(store, number, [source.name for source in sources]):
+        print(f'kadr-archive: {name}: {texts.of(state)} ({reason})', file=sys.stderr)
     if job.what == 'convert' and of.out:
         from .output import write_all
         write_all(store, number, sources, of.out)
@@ -188,6 +191,15 @@ def totals(store: Store, job: int, names: list[str]) -> dict[str, int]:
         if warned and state == 'ok':
             counts['warned'] = counts.get('warned', 0) + count
     return counts
+
+
+def hostile(store: Store, job: int, names: list[str]) -> Iterator[tuple[Any, ...]]:
+    """Returns the first programs that exceeded a limit or were quarantined."""
+    from .store import WITH_RESULT
+    marks = ','.join(f':s{i}' for i in range(len(names)))
+    return store.rows(f"SELECT p.folder || p.name, r.state, r.reason FROM places p {WITH_RESULT} WHERE p.until IS NULL AND p.source IN ({marks}) "
+                      f"AND r.state IN ('time', 'memory', 'killed') ORDER BY p.place LIMIT {MOST_NAMED}",
+                      {'job': job, **{f's{i}': n for i, n in enumerate(names)}})
 
 
 def in_words(counts: dict[str, int], done: int, what: str) -> str:
