@@ -27,9 +27,27 @@ std::shared_ptr<const ControlDef> control_of(std::size_t number) {
   return controls[number];
 }
 
-/// Returns the edits that a byte selects, one bit each.
-Edits edits_of(std::uint8_t bits) {
+/// Returns one edit of positions: the first byte of the program's text selects it.
+Edits map_of(std::uint8_t byte) {
+  constexpr unsigned kinds = 8;
   Edits edits;
+  switch (byte % kinds) {
+    case 0: edits.plane = PlaneMap::mirror_x(2.5); break;
+    case 1: edits.plane = PlaneMap::mirror_y(0); break;
+    case 2: edits.plane = PlaneMap::turn(90, {1, 2}); break;
+    case 3: edits.plane = PlaneMap::turn(270, {}); break;
+    case 4: edits.plane = PlaneMap::turn(30, {5, 0}); break;
+    case 5: edits.copies = true, edits.places = {PlaneMap::shift({10, 0}), PlaneMap::turn(180, {})}; break;
+    case 6: edits.copies = true, edits.copied = EditLines{2, 4}, edits.places = {PlaneMap::shift({0, 5})}; break;
+    default: edits.reverses = EditLines{2, 5}; break;
+  }
+  return edits;
+}
+
+/// Returns the edits that a byte selects, one bit each; 0: an edit of positions.
+Edits edits_of(std::uint8_t bits, std::uint8_t next) {
+  Edits edits;
+  if (bits == 0) return map_of(next);
   if ((bits & 1U) != 0) edits.numbering = Numbering{10, 10};
   edits.no_comments = (bits & 2U) != 0;
   edits.spaces = (bits & 4U) != 0;
@@ -56,6 +74,15 @@ void check_laws(const std::shared_ptr<const ControlDef>& def, const std::shared_
     require(text_of({source(once), Encoding::utf8, def.get()}, edits) == *once, "new numbers do not change numbers that are new already");
   Edits spaced;
   spaced.spaces = true;
+  Edits mirror;
+  mirror.plane = PlaneMap::mirror_x(0);
+  // A word that the mirror image changes, such as -0 or X+5, has another form afterwards; from then on the form stays
+  const auto mirrored = [&](const std::string& of) {
+    return text_of({source(std::make_shared<const std::string>(of)), Encoding::utf8, def.get()}, mirror);
+  };
+  if (const std::string image = mirrored(*text); !image.empty() && image.find('[') == std::string::npos)
+    if (const std::string back = mirrored(image); !back.empty())
+      require(mirrored(mirrored(back)) == back, "two more mirror images do not change a text");
   const auto apart = std::make_shared<const std::string>(text_of({source(text), Encoding::utf8, def.get()}, spaced));
   if (!apart->empty()) require(text_of({source(apart), Encoding::utf8, def.get()}, spaced) == *apart, "one space between words stays one");
 }
@@ -77,7 +104,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   spec.source_text = shared_text_source(text);
   spec.old_program = [&](const Setup& setup) { return open(shared_text_source(text), setup); };
   spec.new_program = open;
-  spec.edits = edits_of(data[1]);
+  spec.edits = edits_of(data[1], size > 2 ? data[2] : 0);
   const auto made = edited(spec, {shared_text_source(text), Encoding::utf8, def.get()});
   require(made || !made.error().why.empty(), "a refused edit has its reason");
   require(*text == before, "the program is not changed");

@@ -21,6 +21,11 @@ PART = ('%\nO1\nG21 G90 G17 G40 G49 G80\nT1 M6\nS2000 M3\nG54 G0 X-20. Y-20.\nG4
         'G1 X40.\nY0\nG91 X-45.\nG90 G40 X-20. Y-20.\nG0 Z50.\nG98 G81 X5. Y5. Z-5. R2. F80.\nX15.\nG80\nG68 X10. Y20. R30.\nX30. Y5.\nG69\nG52 X5.\n'
         'G0 X7. Y7.\nG52 X0\nG91 G28 Z0\nG28 X0 Y0\nM30\n%\n')
 
+PATTERN = ('%\nO1\nN1 T1 M6\nG90 G54\nS2000 M3\nG43 H1 Z50.\nG0 X1. Y2.\nG1 Z-5. F100.\nG91 X10.\nG90 G0 Z50.\nT2 M6\nS900 M3\nG43 H2 Z50.\n'
+           'G98 G81 X4. Y4. Z-9. R2. F80.\nX8.\nG80\nG91 G28 Z0\nM30\n%\n')
+CONTOUR = ('%\nO1\nG21 G90 G17 G40\nT1 M6\nS2000 M3 G54 G0 X-20. Y-20.\nG43 H1 Z-5.\nG41 D1 G1 X0 Y-10. F100.\nY20. F200.\nG2 X10. Y30. I10. J0\n'
+           'G1 X40. F300. (TOP)\nX0 Y-10.\nG40 X-20. Y-20.\nG0 Z50.\nM30\n%\n')
+
 # what is tested, control, program, options, the edited program
 EDITS = [
     ('numbers where there are none', 'fanuc', MILL + 'G1 Z-5. F100.\n/X10.\n' + END, ['--renumber', '10'],
@@ -91,6 +96,22 @@ EDITS = [
      'G0 X-7. Y7.\nG52 Y0\nG91 G28 Z0\nG28 X0 Y0\nM30\n%\n'),
     ('a turn by another angle: rounded as the control reads it', 'linuxcnc', 'G21 G90 G54\nG0 X10 Y0\nG1 Y20 F60\nG2 X20 Y30 I10 J0\nM2\n', ['--rotate', '30'],
      'G21 G90 G54\nG0 X8.66 Y5.\nG1 X-1.34 Y22.321 F60\nG2 X2.321 Y35.981 I8.66 J5.\nM2\n'),
+    ('a pattern of two columns and two rows: each tool works at all places before the next one', 'fanuc', PATTERN, ['--copy', '2x2:30,20'],
+     '%\nO1\nN1 T1 M6\nG90 G54\nS2000 M3\nG43 H1 Z50.\nG0 X1. Y2.\nG1 Z-5. F100.\nG91 X10.\nG90 G0 Z50.\n'
+     'G0 X31. Y2.\nG1 Z-5. F100.\nG91 X10.\nG90 G0 Z50.\nG0 X1. Y22.\nG1 Z-5. F100.\nG91 X10.\nG90 G0 Z50.\nG0 X31. Y22.\nG1 Z-5. F100.\nG91 X10.\nG90 G0 Z50.\n'
+     'T2 M6\nS900 M3\nG43 H2 Z50.\nG98 G81 X4. Y4. Z-9. R2. F80.\nX8.\nG80\nG98 G81 X34. Y4. Z-9. R2. F80.\nX38.\nG80\n'
+     'G98 G81 X4. Y24. Z-9. R2. F80.\nX8.\nG80\nG98 G81 X34. Y24. Z-9. R2. F80.\nX38.\nG80\nG91 G28 Z0\nM30\n%\n'),
+    ('a pattern around a centre', 'linuxcnc', 'G21 G90 G54\nG0 X10 Y0 Z5\nG1 Z-1 F60\nX12 Y3\nG0 Z5\nM2\n', ['--copy', '4@90', '--lines', '2-5'],
+     'G21 G90 G54\nG0 X10 Y0 Z5\nG1 Z-1 F60\nX12 Y3\nG0 Z5\nG0 X0 Y10 Z5\nG1 Z-1 F60\nX-3 Y12\nG0 Z5\nG0 X-10 Y0 Z5\nG1 Z-1 F60\nX-12 Y-3\nG0 Z5\n'
+     'G0 X0 Y-10 Z5\nG1 Z-1 F60\nX3 Y-12\nG0 Z5\nM2\n'),
+    ('a pattern of one place', 'linuxcnc', 'G21 G90\nG0 X10 Y0\nM2\n', ['--copy', '1x1:5,5'], 'G21 G90\nG0 X10 Y0\nM2\n'),
+    ('a closed contour backwards: the side changes, each element keeps its feed', 'fanuc', CONTOUR, ['--reverse', '7-12'],
+     CONTOUR.replace('G41 D1 G1 X0 Y-10. F100.\nY20. F200.\nG2 X10. Y30. I10. J0\nG1 X40. F300. (TOP)\nX0 Y-10.\nG40 X-20. Y-20.\n',
+                     'G42 G1 X0. Y-10. D1 F300.\nX40. Y30.\nX10. Y30. (TOP)\nG3 X0. Y20. I0. J-10. F200.\nG1 X0. Y-10.\nG40 X-20. Y-20. F100.\n')
+     + ''),
+    ('an open contour backwards: the rapid leads to its other end', 'linuxcnc',
+     'G21 G90 G54 G17\nG0 X0 Y0\nG0 Z-1\nG1 X10 Y0 F60\nX20 Y5\nG0 Z5\nG0 X50 Y50\nM2\n', ['--reverse', '4-5'],
+     'G21 G90 G54 G17\nG0 X20. Y5.\nG0 Z-1\nG1 X10. Y0. F60\nX0. Y0.\nG0 Z5\nG0 X50 Y50\nM2\n'),
     ('G53 stays', 'fanuc', MILL + 'G53 Z0\nG0 X5.\n' + END, ['--shift', 'X1'], MILL.replace('X0 Y0', 'X1. Y0') + 'G53 Z0\nG0 X6.\n' + END),
 ]
 
@@ -112,6 +133,11 @@ REFUSED = [
     ('a computed position in a turn', 'fanuc', MILL + '#1=5\nX#1\n' + END, ['--rotate', '30'], 'p.nc:9: not edited: X#1: a computed position'),
     ('a position that is not known in a turn', 'linuxcnc', 'G21 G90\nG0 X1\nM2\n', ['--rotate', '30'], 'p.nc:2: not edited: the position along Y'),
     ('a macro of another program in a mirror image', 'fanuc', MILL + 'G65 P100 X1.\n' + END + 'O100\nG0 X#24\nM99\n', ['--mirror', 'X'], 'p.nc:8: not edited: G65'),
+    ('a pattern that calls', 'haas', '%\nO00001\nG21 G90 G54\nT1 M6\nG0 X0 Y0\nM97 P50\nM30\nN50 G91 G0 X1.\nG90 M99\n%\n', ['--copy', '2x1:5,0'],
+     'p.nc:6: not edited: M97 P50'),
+    ('a pattern whose first block states one coordinate', 'linuxcnc', 'G21 G90\nG0 X1\nY2\nM2\n', ['--copy', '2x1:5,0'], 'p.nc:2: not edited: the first block'),
+    ('a contour with compensation on at its start', 'fanuc', CONTOUR, ['--reverse', '8-11'], 'not edited'),
+    ('a contour with a plunge', 'linuxcnc', 'G21 G90\nG0 X0 Y0\nG1 X5 Y0 F60\nX0 Y0 Z-1\nM2\n', ['--reverse', '3-4'], 'p.nc:4: not edited: X0 Y0 Z-1'),
     ('a lathe in a mirror image', 'fanuc-t', 'T0101\nG0 X30.\nM30\n', ['--mirror', 'X'], 'has no XY plane'),
     ('a speed in a subroutine of the zero', 'fanuc', '%\nO1\nG90 G54\nT1 M6\nG10 L2 P1 X5.\nG54 G0 X1.\nM30\n%\n', ['--replace-zero', 'G54=G55'],
      'something else would change'),
@@ -119,7 +145,8 @@ REFUSED = [
 
 # options that are wrong in themselves
 WRONG = [['--feed', '80'], ['--feed', 'T3:80%'], ['--feed', '0%'], ['--renumber', 'x'], ['--renumber', '10:0'], ['--replace-tool', '3'], ['--shift', '10'],
-         ['--replace-zero', 'G54'], ['--strip', 'everything'], ['--shift', 'X1e9'], ['--speed', '99999999%'], ['--mirror', 'Z'], ['--mirror', 'X:5'], ['--rotate', 'x'], ['--rotate', '30@5'],
+         ['--replace-zero', 'G54'], ['--strip', 'everything'], ['--shift', 'X1e9'], ['--speed', '99999999%'], ['--copy', '0x1:5,5'], ['--copy', '3x2'], ['--copy', '2000x1:1,1'], ['--reverse', '5'],
+         ['--reverse', '5-3'], ['--copy', '6@60:1'], ['--mirror', 'Z'], ['--mirror', 'X:5'], ['--rotate', 'x'], ['--rotate', '30@5'],
          ['--mirror', 'X', '--rotate', '90'], ['--shift', 'X1', '--mirror', 'X'], []]
 
 WORD = re.compile(r'([A-Z])\s*([-+]?\d*\.?\d+|[-+]?\d+\.)')

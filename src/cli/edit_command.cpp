@@ -162,11 +162,15 @@ void edit_word(CLI::App& app, const std::string& name, PlainText about, PlainTex
         plain_text(value));
 }
 
-/// Adds the options that map positions in the XY plane. Only one of them may be stated: their order would matter.
+/// Adds the options that map, repeat or reverse positions in the XY plane. Only one of them may be stated: their order would matter.
 void plane_options(CLI::App& app, Edits& edits) {
   namespace t = texts::edit_command;
   const auto keep = [&edits](const PlaneMap& map) { edits.plane = map, ++edits.maps; };
   edit_word(app, "--mirror", t::mirror, t::mirror_value, read_mirror, keep);
+  edit_word(app, "--copy", t::copy, t::copy_value, read_places,
+            [&edits](std::vector<PlaneMap> places) { edits.places = std::move(places), edits.copies = true; });
+  edit_word(app, "--lines", t::lines, t::lines_value, read_lines, [&edits](const EditLines& lines) { edits.copied = lines; });
+  edit_word(app, "--reverse", t::reverse, t::lines_value, read_lines, [&edits](const EditLines& lines) { edits.reverses = lines; });
   edit_word(app, "--rotate", texts::edit_command::rotate, t::rotate_value, read_rotation, keep);
 }
 

@@ -8,11 +8,11 @@
 #include <tl/expected.hpp>
 
 #include "config/control/control_def.h"
-#include "edit/renumbering.h"
 #include "edit/edits.h"
 #include "edit/line_changes.h"
 #include "edit/line_uses.h"
 #include "edit/plane_editor.h"
+#include "edit/renumbering.h"
 
 namespace kadr {
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "edit/contour_reversal.h"
+#include "edit/pattern.h"
 #include "texts/edit.h"
 
 namespace kadr {
@@ -42,12 +44,25 @@ tl::expected<void, EditFault> check_systems(const Edits& edits, const ControlDef
 
 /// A map of the XY plane needs the axes X and Y, and words that state no diameters.
 tl::expected<void, EditFault> check_plane(const Edits& edits, const ControlDef& def, const std::vector<std::string>& axes) {
-  if (!edits.plane && edits.places.empty() && !edits.reverses) return {};
+  if (!edits.plane && !edits.copies && !edits.reverses) return {};
   if (def.behaviour.lathe != Lathe::none || def.diameter != 0)
     return tl::unexpected(EditFault{0, translated(texts::edit::no_plane_of_lathe)});
   for (const char* const axis : {"X", "Y"})
     if (std::find(axes.begin(), axes.end(), axis) == axes.end())
       return tl::unexpected(EditFault{0, translated(texts::edit::no_such_axis, axis)});
+  return {};
+}
+
+/// Writes the lines that are repeated or reversed, and notes them in the edits of the proof.
+EditStatus patch(EditedSource& source, EditSpec& spec, LinePatches& patches) {
+  const auto take = [&](auto&& made) -> EditStatus {
+    if (!made) return tl::unexpected(made.error());
+    patches = std::move(made->patches), spec.edits.pieces = std::move(made->pieces);
+    source.patches = &patches;
+    return {};
+  };
+  if (!spec.edits.places.empty()) return take(pattern_of(source, spec.edits, spec.stop));
+  if (spec.edits.reverses) return take(reversed_contour(source, spec.edits, spec.stop));
   return {};
 }
 
@@ -68,11 +83,14 @@ tl::expected<Edited, EditFault> edited(const EditSpec& spec, const EditedSource&
     if (auto status = check_plane(spec.edits, def, axes); !status) return tl::unexpected(status.error());
     source.use = &use;
   }
+  EditSpec proven = spec;
+  LinePatches patches;
+  if (auto status = patch(source, proven, patches); !status) return tl::unexpected(status.error());
   TextSpool made;
   auto changes = edit_program(source, spec.edits, spec.stop, [&made](std::string_view piece) { made.append(piece); });
   if (!changes) return tl::unexpected(changes.error());
   Edited result{made.source(), *changes, {}};
-  auto proof = prove_edit(spec, result.text);
+  auto proof = prove_edit(proven, result.text);
   if (!proof) return tl::unexpected(EditFault{0, proof.error()});
   result.proof = std::move(*proof);
   return result;

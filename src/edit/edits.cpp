@@ -149,6 +149,63 @@ tl::expected<PlaneMap, std::string> read_rotation(std::string_view text) {
   return PlaneMap::turn(*degrees, centre);
 }
 
+namespace {
+
+constexpr std::uint32_t most_places = 1000;
+
+std::optional<Vec2> pair_of(std::string_view& text) {
+  const auto x = number_of<double>(text);
+  const bool has_comma = take(text, ',');
+  const auto y = number_of<double>(text);
+  if (!x || !has_comma || !y || !(std::abs(*x) <= most_shift && std::abs(*y) <= most_shift)) return std::nullopt;
+  return Vec2{*x, *y};
+}
+
+std::optional<std::vector<PlaneMap>> grid_of(std::string_view rest, std::uint32_t columns) {
+  const auto rows = whole(rest);
+  const auto by = take(rest, ':') ? pair_of(rest) : std::nullopt;
+  const bool right = rows && *rows > 0 && columns > 0 && *rows <= most_places && columns <= most_places && *rows * columns <= most_places;
+  if (!right || !by || !rest.empty()) return std::nullopt;
+  std::vector<PlaneMap> places;
+  for (std::uint32_t row = 0; row < *rows; ++row)
+    for (std::uint32_t column = 0; column < columns; ++column)
+      if (row + column > 0) places.push_back(PlaneMap::shift({column * by->x, row * by->y}));
+  return places;
+}
+
+std::optional<std::vector<PlaneMap>> circle_of(std::string_view rest, std::uint32_t count) {
+  constexpr double most_degrees = 360;
+  const auto step = number_of<double>(rest);
+  const auto centre = take(rest, ':') ? pair_of(rest) : std::optional(Vec2{});
+  const bool right = step && std::abs(*step) <= most_degrees && count > 0 && count <= most_places;
+  if (!right || !centre || !rest.empty()) return std::nullopt;
+  std::vector<PlaneMap> places;
+  for (std::uint32_t i = 1; i < count; ++i) places.push_back(PlaneMap::turn(i * *step, *centre));
+  return places;
+}
+
+}  // namespace
+
+tl::expected<std::vector<PlaneMap>, std::string> read_places(std::string_view text) {
+  std::string_view rest = text;
+  const auto count = whole(rest);
+  std::optional<std::vector<PlaneMap>> places;
+  if (count && take(rest, 'X')) places = grid_of(rest, *count);
+  else if (count && take(rest, '@')) places = circle_of(rest, *count);
+  if (!places) return tl::unexpected(translated(texts::edit::want_places, text));
+  return std::move(*places);
+}
+
+tl::expected<EditLines, std::string> read_lines(std::string_view text) {
+  std::string_view rest = text;
+  const auto first = whole(rest);
+  const bool has_dash = take(rest, '-');
+  const auto last = whole(rest);
+  if (!first || !has_dash || !last || *first == 0 || *last < *first || !rest.empty())
+    return tl::unexpected(translated(texts::edit::want_lines, text));
+  return EditLines{*first, *last};
+}
+
 tl::expected<void, std::string> add_edit(Edits& edits, std::string_view name, std::string_view word) {
   const auto put = [](auto made, const auto& keep) -> tl::expected<void, std::string> {
     if (!made) return tl::unexpected(std::move(made.error()));
@@ -174,11 +231,14 @@ tl::expected<void, std::string> add_edit(Edits& edits, std::string_view name, st
   if (name == "shift") return put(read_shift(word), [&](const auto& one) { edits.shift[one.first] = one.second; });
   if (name == "mirror") return put(read_mirror(word), [&](const PlaneMap& map) { edits.plane = map, ++edits.maps; });
   if (name == "rotate") return put(read_rotation(word), [&](const PlaneMap& map) { edits.plane = map, ++edits.maps; });
+  if (name == "copy") return put(read_places(word), [&](auto places) { edits.places = std::move(places), edits.copies = true; });
+  if (name == "lines") return put(read_lines(word), [&](const EditLines& lines) { edits.copied = lines; });
+  if (name == "reverse") return put(read_lines(word), [&](const EditLines& lines) { edits.reverses = lines; });
   return tl::unexpected(translated(texts::edit::no_such_edit, name, word));
 }
 
 int places_edited(const Edits& edits) {
-  return int(!edits.shift.empty()) + edits.maps + int(!edits.places.empty()) + int(edits.reverses.has_value());
+  return int(!edits.shift.empty()) + edits.maps + int(edits.copies) + int(edits.reverses.has_value());
 }
 
 }  // namespace kadr

@@ -48,6 +48,7 @@ struct Edits {
   AxisValues shift;                                             // mm, by name of the axis: added to positions in work coordinates
   std::optional<PlaneMap> plane;                                // all positions in work coordinates are mapped in the XY plane
   int maps = 0;                                                 // how many such maps are asked for
+  bool copies = false;                                          // a pattern is asked for, even one of a single place
   std::vector<PlaneMap> places;                                 // further places at which lines are repeated
   std::optional<EditLines> copied;                              // the lines that are repeated; nullopt: all that cuts, tool by tool
   std::optional<EditLines> reverses;                            // the lines of a contour that runs backwards
@@ -56,7 +57,7 @@ struct Edits {
 
   bool empty() const {
     return !numbering && !no_numbers && !no_comments && !no_spaces && !no_empty_lines && !spaces && feeds.empty() && speeds.empty() &&
-           tools.empty() && work_systems.empty() && shift.empty() && !plane && places.empty() && !reverses;
+           tools.empty() && work_systems.empty() && shift.empty() && !plane && !copies && !reverses;
   }
 };
 
@@ -80,6 +81,11 @@ tl::expected<std::pair<std::string, double>, std::string> read_shift(std::string
 tl::expected<PlaneMap, std::string> read_mirror(std::string_view text);
 /// Reads `90` or `30@10,20`: degrees, counter-clockwise, and the centre.
 tl::expected<PlaneMap, std::string> read_rotation(std::string_view text);
+/// Reads `3x2:30,20`: columns, rows and their distances in mm; or `6@60` or `6@60:10,20`: how many, degrees from one to the next, and the
+/// centre. Returns the places without the first one, where the program is already.
+tl::expected<std::vector<PlaneMap>, std::string> read_places(std::string_view text);
+/// Reads `12-40`: lines of the file.
+tl::expected<EditLines, std::string> read_lines(std::string_view text);
 
 /// Adds the edit that a user asks for by the name of an option of `kadr edit`, without its hyphens, and a word: "feed" and "T3=80%".
 tl::expected<void, std::string> add_edit(Edits& edits, std::string_view name, std::string_view word);

@@ -104,7 +104,7 @@ void ExpectedCourse::reverse(ItemRing& to) {
   raw_ = held_from_;
   for (auto item = held_.begin(); item != begin; ++item) {
     CourseItem led = *item;
-    if (led.to[x] != held_from_[x] || led.to[y] != held_from_[y] || (led.named >> x & 1U) != 0) led.to[x] = end[x], led.to[y] = end[y];
+    led.to[x] = end[x], led.to[y] = end[y];  // the approach states both
     from = item->to;
     put(led, nullptr, false, to);
   }
@@ -113,6 +113,7 @@ void ExpectedCourse::reverse(ItemRing& to) {
     back.to = item - 1 == begin ? from : (item - 2)->to;
     put(back, nullptr, true, to);
   }
+  raw_ = end;
 }
 
 void ExpectedCourse::take(ItemRing& from, ItemRing& to) {

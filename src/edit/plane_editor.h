@@ -8,9 +8,9 @@
 #include <tl/expected.hpp>
 
 #include "config/control/control_def.h"
-#include "edit/renumbering.h"
 #include "edit/line_changes.h"
 #include "edit/plane_map.h"
+#include "edit/renumbering.h"
 
 namespace kadr {
 

@@ -94,21 +94,39 @@ class ProgramWriter {
       }
       Line next;
       const bool is_there = raw_.next(next);
-      end_line(is_there ? next.offset : raw_.size());
+      if (auto status = end_line(is_there ? next.offset : raw_.size()); !status) return status;
       if (!is_there) return {};
       if (next.number == 1 && next.offset == utf8_mark.size()) put_(utf8_mark);
       line_ = next, bytes_ = std::string(next.bytes), has_line_ = true;
     }
   }
 
-  /// Writes the end of the line that was written last: as many characters as the program has there.
-  void end_line(std::uint64_t next_offset) {
-    if (!open_line_) return;
+  /// Writes the end of the line that was written last: as many characters as the program has there; and the lines that follow it.
+  tl::expected<void, EditFault> end_line(std::uint64_t next_offset) {
+    if (!open_line_) return {};
     open_line_ = false;
     const std::uint64_t count = next_offset - open_end_;
-    if (count == 0 || line_removed_) return;
-    if (ends_with_cr_) return put_("\r");
-    put_(std::string(static_cast<std::size_t>(count - 1), '\r') + '\n');
+    const std::string end =
+        ends_with_cr_ ? "\r" : std::string(static_cast<std::size_t>(std::max<std::uint64_t>(count, 1) - 1), '\r') + '\n';
+    if (count != 0 && !line_removed_) put_(end);
+    if (program_.patches == nullptr) return {};
+    const auto after = program_.patches->after.find(line_.number);
+    if (after == program_.patches->after.end()) return {};
+    if (count == 0) put_(end);
+    for (const std::string& line : after->second) {
+      if (auto status = put_encoded(line); !status) return status;
+      put_(end);
+      ++made_.lines;
+    }
+    return {};
+  }
+
+  tl::expected<void, EditFault> put_encoded(const std::string& text) {
+    const WrittenLetters letters{reader_.encoding(), false};
+    const auto bytes = is_written_so(text, letters) ? Result<std::string>(text) : bytes_of(text, letters);
+    if (!bytes) return tl::unexpected(EditFault{line_.number, translated(texts::edit::not_in_encoding)});
+    put_(*bytes);
+    return {};
   }
 
   bool is_plain_comment(std::string_view text) const {
@@ -132,6 +150,15 @@ class ProgramWriter {
     }
     std::string text = std::exchange(line_text_, {});
     has_block_ = false;
+    if (program_.patches != nullptr) {
+      const auto instead = program_.patches->instead.find(line_.number);
+      if (instead != program_.patches->instead.end()) {
+        changes_.clear();
+        made_.lines += instead->second != text ? 1 : 0;
+        line_removed_ = instead->second.empty();
+        return put_encoded(instead->second);
+      }
+    }
     // A comment that goes on in the next lines is a part of the block's text. It stays as it is.
     if (text.size() > bytes_.size() && text.starts_with(bytes_)) text.resize(bytes_.size());
     if (changes_.empty()) {
@@ -148,11 +175,7 @@ class ProgramWriter {
     ++made_.lines;
     line_removed_ = made.find_first_not_of(" \t") == std::string::npos && (edits_.no_comments || edits_.no_numbers);
     if (line_removed_) return {};
-    const WrittenLetters letters{reader_.encoding(), false};
-    const auto bytes = is_written_so(made, letters) ? Result<std::string>(made) : bytes_of(made, letters);
-    if (!bytes) return tl::unexpected(EditFault{line_.number, translated(texts::edit::not_in_encoding)});
-    put_(*bytes);
-    return {};
+    return put_encoded(made);
   }
 
   const EditedSource& program_;

@@ -10,9 +10,10 @@
 #include <tl/expected.hpp>
 
 #include "base/stop_token.h"
-#include "edit/renumbering.h"
 #include "edit/edits.h"
+#include "edit/line_patches.h"
 #include "edit/line_uses.h"
+#include "edit/renumbering.h"
 #include "lang/text/encoding.h"
 
 namespace kadr {
@@ -26,7 +27,8 @@ struct EditedSource {
   std::shared_ptr<ByteSource> source;  // the program
   std::optional<Encoding> encoding;    // nullopt: the encoding is guessed
   const ControlDef* control = nullptr;
-  const LineUses* use = nullptr;  // needed if needs_use() is true
+  const LineUses* use = nullptr;         // needed if needs_use() is true
+  const LinePatches* patches = nullptr;  // lines that are written as a whole; nullptr: there are none
 };
 
 /// True if the edits depend on what the lines are used for.

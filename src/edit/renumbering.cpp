@@ -82,7 +82,7 @@ tl::expected<std::vector<Renumbering::Reference>, EditFault> Renumbering::refere
 }
 
 tl::expected<Renumbering, EditFault> Renumbering::of(const std::shared_ptr<ByteSource>& source, std::optional<Encoding> encoding,
-                                                       const ControlDef& def, const Numbering& numbering, const StopToken& stop) {
+                                                     const ControlDef& def, const Numbering& numbering, const StopToken& stop) {
   Renumbering made(def, numbering);
   Block block;
   const auto each_block = [&](const auto& take) -> tl::expected<void, EditFault> {

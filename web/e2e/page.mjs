@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { browser, looks_at, must, until } from "./browser.mjs";
 import { convert_steps } from "./convert_steps.mjs";
+import { edit_steps } from "./edit_steps.mjs";
 import { making_steps } from "./making_steps.mjs";
 import { finger_steps, panel_steps } from "./panel_steps.mjs";
 import { hands_on } from "./hands.mjs";
@@ -193,7 +194,7 @@ const group_names = ["view", "files", "text", "figures", "setup", "panel", "live
 const groups = {
   view: { ...main_steps, ...rotary_steps({ kadr, page, pictures, only }) },
   files: file_steps(place),
-  text: text_steps(place),
+  text: { ...text_steps(place), ...edit_steps(place) },
   figures: { ...figure_steps(place), ...lathe_steps(place) },
   setup: setup_steps(place),
   panel: { ...list_steps(place), ...panel_steps(place) },

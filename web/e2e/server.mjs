@@ -95,6 +95,7 @@ export async function real(kadr, examples) {
   address = first;
   return {
     address: () => address,
+    edits: true,
     prepare: (page) => page_from(page, process.env.DIST),
     put: (name, text) => writeFileSync(join(folder, name), text),
     got: (name) => readFileSync(join(folder, name), "utf8"),

@@ -149,6 +149,8 @@ const top = new Topbar(app, {
   edit: () => {
     new EditDialog(app, () => new WebSocket(address) as unknown as Socket, {
       take: (text) => source.take(text),
+      insert: (lines) => source.insert(lines),
+      selected: () => source.selected(),
       line: (n) => source.show(n),
       end_paths: () => scene?.clearPath(1),
     });

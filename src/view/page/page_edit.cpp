@@ -15,7 +15,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_edited = std::size_t{8} << 20;  // greatest size of a program, bytes
-constexpr std::size_t max_listed = 20;                    // greatest number of differences that the answer lists
+constexpr std::size_t max_reasons = 20;                   // greatest number of reasons that the answer lists
 
 /// Reads `edits`: {"feed": ["T3=80%"], "mirror": "X"}, by the names of the options of kadr edit.
 ///   returns  an error sentence if a name or a word is wrong
@@ -35,23 +35,23 @@ tl::expected<Edits, std::string> edits_in(const PageJson& question) {
   return edits;
 }
 
-PageJson refusal_json(std::string text, std::uint32_t line) { return {{"text", std::move(text)}, {"line", line}}; }
+PageJson reason_json(std::string text, std::uint32_t line) { return {{"text", std::move(text)}, {"line", line}}; }
 
 /// Returns why the edit is refused: the alarm that stops the program, or the differences that nobody asked for.
-PageJson refusals_json(const Comparison& proof, const OpenedProgram& opened, Lang lang) {
+PageJson reasons_json(const Comparison& proof, const OpenedProgram& opened, Lang lang) {
   PageJson list = PageJson::array();
   const auto add_alarm = [&](const AlarmReport& report) {
-    list.push_back(refusal_json(finding_of(report, *opened.texts, lang).text, report.origin.file == 0 ? report.origin.line : 0));
+    list.push_back(reason_json(finding_of(report, *opened.texts, lang).text, report.origin.file == 0 ? report.origin.line : 0));
   };
   if (proof.stopped_a) {
-    list.push_back(refusal_json(translated(texts::edit_command::program_stops), 0));
+    list.push_back(reason_json(translated(texts::edit_command::program_stops), 0));
     add_alarm(*proof.stopped_a);
     return list;
   }
-  list.push_back(refusal_json(translated(texts::edit_command::not_proven), 0));
-  for (std::size_t i = 0; i < std::min(max_listed, proof.differences.size()); ++i) {
+  list.push_back(reason_json(translated(texts::edit_command::not_proven), 0));
+  for (std::size_t i = 0; i < std::min(max_reasons, proof.differences.size()); ++i) {
     const CourseDifference& d = proof.differences[i];
-    list.push_back(refusal_json(sentence_of(d, lang), d.a.file.empty() ? d.a.origin.line : 0));
+    list.push_back(reason_json(sentence_of(d, lang), d.a.file.empty() ? d.a.origin.line : 0));
   }
   if (proof.stopped_b) add_alarm(*proof.stopped_b);
   return list;
@@ -103,11 +103,11 @@ PageSession::Inside::Answer PageSession::Inside::edit_program(const PageJson& qu
   if (stops) return refused(translated(texts::page::interrupted));
   PageJson json = {{"text", ""}, {"lines", 0}, {"told", ""}, {"note", ""}, {"refused", PageJson::array()}};
   if (!made) {
-    json["refused"].push_back(refusal_json(made.error().why, made.error().line));
+    json["refused"].push_back(reason_json(made.error().why, made.error().line));
     return json;
   }
   if (!made->proof.is_proven()) {
-    json["refused"] = refusals_json(made->proof.comparison, *opened, lang);
+    json["refused"] = reasons_json(made->proof.comparison, *opened, lang);
     return json;
   }
   json["text"] = whole_text(*made->text);

@@ -103,8 +103,9 @@ struct PageSession::Inside {
   // ---- requests that are answered in page_conversion.cpp
   Answer convert(const PageJson& question);
   Answer conversion_answer(const PageConversion& conversion, const Converted& made, const SourceText& text, const PageJson& question) const;
-  // ---- requests that are answered in page_edit.cpp
+  // ---- requests that are answered in page_edit.cpp and page_blocks.cpp
   Answer edit_program(const PageJson& question);
+  Answer write_blocks(const PageJson& question);
   // ---- requests that are answered in page_panel.cpp
   Answer machines(const PageJson& question);
   Answer machine(const PageJson& question);

@@ -116,6 +116,7 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
       {"tape", &Inside::tape, false, true},
       {"convert", &Inside::convert, false, true},
       {"edit_program", &Inside::edit_program, false, true},
+      {"write_blocks", &Inside::write_blocks, true},
   };
   const auto* const known = std::find_if(std::begin(all), std::end(all), [&](const Known& k) { return k.name == what; });
   if (known == std::end(all)) return tl::unexpected(Refusal{});

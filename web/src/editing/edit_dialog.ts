@@ -15,6 +15,7 @@ import { t, type TextKey } from "../texts/texts";
 import { open_dialog } from "../ui/dialog";
 import { button, fill, h, option } from "../ui/dom";
 import { toast } from "../ui/toast";
+import { BlocksDialog } from "./blocks_dialog";
 import { field_row, tools_of } from "./edit_fields";
 import {
   edit_question,
@@ -31,8 +32,12 @@ const pause = 300; // ms after the last key before the program is edited again
 export interface EditVerbs {
   /// Puts a text into the editor, as one change.
   take(text: string): void;
+  /// The first and the last line that are selected in the editor.
+  selected(): { from: number; to: number } | null;
   /// Shows a line of the program.
   line(line: number): void;
+  /// Puts lines after the line of the cursor.
+  insert(lines: string[]): void;
   /// Removes the path of the edited program from the view.
   end_paths(): void;
 }
@@ -87,6 +92,7 @@ export class EditDialog {
       ),
       {
         docked: "left",
+        tools: button(t("blocks_title"), () => new BlocksDialog(this.app, this.verbs)),
         closed: () => {
           for (const f of off) f();
           this.asking.close();
@@ -95,6 +101,7 @@ export class EditDialog {
         },
       },
     );
+    this.take_selection();
     this.draw();
     this.draw_answer();
     this.ask();
@@ -108,8 +115,15 @@ export class EditDialog {
   private choose(edit: EditName): void {
     this.edit = edit;
     remember("edit_name", edit);
+    this.take_selection();
     this.draw();
     this.ask();
+  }
+
+  /// A contour is reversed in the lines that are selected now.
+  private take_selection(): void {
+    const lines = this.edit === "reverse" ? this.verbs.selected() : null;
+    if (lines) this.values.reverse = { from: String(lines.from), to: String(lines.to) };
   }
 
   private set(field: EditField, value: string): void {
@@ -128,7 +142,7 @@ export class EditDialog {
     fill(
       this.fields,
       ...edits[this.edit].map((f) => field_row(f, this.own[f.name] ?? f.usual, tools, (value) => this.set(f, value))),
-      this.edit === "mirror" && h("p", { class: "note" }, t("edit_mirror_note")),
+      is_noted(this.edit) && h("p", { class: "note" }, t(`edit_${this.edit}_note`)),
     );
     this.mark_wrong();
   }
@@ -217,6 +231,9 @@ export class EditDialog {
     }
   }
 }
+
+const is_noted = (edit: EditName): edit is "mirror" | "copy" | "copy_around" | "reverse" =>
+  edit === "mirror" || edit === "copy" || edit === "copy_around" || edit === "reverse";
 
 const side = (doc: string, name: TextKey) => ({
   doc,

@@ -4,7 +4,18 @@ import type { EditQuestion, EditWords } from "../protocol/types";
 import type { TextKey } from "../texts/texts";
 
 export type EditName =
-  "feed" | "speed" | "mirror" | "rotate" | "shift" | "renumber" | "tidy" | "replace_tool" | "replace_zero";
+  | "feed"
+  | "speed"
+  | "mirror"
+  | "rotate"
+  | "shift"
+  | "copy"
+  | "copy_around"
+  | "reverse"
+  | "renumber"
+  | "tidy"
+  | "replace_tool"
+  | "replace_zero";
 
 export interface EditField {
   name: string;
@@ -54,6 +65,19 @@ export const edits: Record<EditName, EditField[]> = {
     number("y", "edit_by_y", "mm", "0"),
     number("z", "edit_by_z", "mm", "0"),
   ],
+  copy: [
+    whole("columns", "edit_columns", "2"),
+    whole("rows", "edit_rows", "1"),
+    number("dx", "edit_apart_x", "mm", "50"),
+    number("dy", "edit_apart_y", "mm", "0"),
+  ],
+  copy_around: [
+    whole("count", "edit_count", "6"),
+    number("step", "edit_angle_step", "°", "60"),
+    number("x", "edit_centre_x", "mm", "0"),
+    number("y", "edit_centre_y", "mm", "0"),
+  ],
+  reverse: [whole("from", "edit_from_line", ""), whole("to", "edit_to_line", "")],
   renumber: [whole("first", "edit_first", "10"), whole("step", "edit_step", "10")],
   tidy: [
     tick("numbers", "edit_strip_numbers"),
@@ -102,6 +126,9 @@ export function words_of(edit: EditName, values: EditValues): EditWords | null {
     return { [edit]: [`${typed("tool") ? `T${typed("tool")}=` : ""}${figure("percent")}%`] };
   if (edit === "mirror") return { mirror: `${typed("axis")}=${figure("line")}` };
   if (edit === "rotate") return { rotate: `${figure("degrees")}@${figure("x")},${figure("y")}` };
+  if (edit === "copy") return { copy: `${typed("columns")}x${typed("rows")}:${figure("dx")},${figure("dy")}` };
+  if (edit === "copy_around") return { copy: `${typed("count")}@${figure("step")}:${figure("x")},${figure("y")}` };
+  if (edit === "reverse") return { reverse: `${typed("from")}-${typed("to")}` };
   if (edit === "renumber") return { renumber: `${typed("first")}:${typed("step")}` };
   if (edit === "replace_tool") return { "replace-tool": [`${typed("from")}=${typed("to")}`] };
   if (edit === "replace_zero") return { "replace-zero": [`${typed("from")}=${typed("to")}`.toUpperCase()] };

@@ -12,7 +12,7 @@ import type {
   TapeCode,
   TapeRead,
 } from "./types/making";
-import type { EditQuestion, EditedProgram } from "./types/editing";
+import type { BlocksQuestion, EditQuestion, EditedProgram, WrittenBlocks } from "./types/editing";
 import type {
   ChannelWay,
   LogEntry,
@@ -79,6 +79,7 @@ export interface Questions extends FileQuestions {
   ];
   convert: [ConvertQuestion, Converted];
   edit_program: [EditQuestion, EditedProgram];
+  write_blocks: [BlocksQuestion, WrittenBlocks];
   stop: [object, object];
   machines: [object, { machines: { name: string; mode: PanelMode | "kept"; held: boolean }[] }];
   machine: [

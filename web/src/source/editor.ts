@@ -29,6 +29,8 @@ export interface SourceView {
   readonly editor?: EditorView;
   /// Replaces the text as one change that undo takes back.
   take?(text: string): void;
+  /// Inserts lines after the line of the cursor, as one change that undo takes back.
+  insert?(lines: string[]): void;
 }
 
 interface Running {
@@ -154,6 +156,16 @@ export function editor_view(
       view.dispatch({ effects });
     },
     take: (text) => take_text(view, text),
+    insert: (lines) => {
+      const at = view.state.doc.lineAt(view.state.selection.main.head).to,
+        insert = lines.map((line) => `\n${line}`).join("");
+      view.dispatch({
+        changes: { from: at, insert },
+        selection: { anchor: at + insert.length },
+        annotations: isolateHistory.of("full"),
+        scrollIntoView: true,
+      });
+    },
     focus: () => view.focus(),
     close: () => {
       off();

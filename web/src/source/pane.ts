@@ -89,6 +89,11 @@ export class SourcePane {
     this.view?.take?.(text);
     this.view?.focus();
   }
+  /// Inserts lines after the line of the cursor, as one change; the cursor is after them.
+  insert(lines: string[]): void {
+    if (this.shown_file === 0) this.view?.insert?.(lines);
+    this.view?.focus();
+  }
   /// The first and the last line of the selection; null without an editor.
   selected(): { from: number; to: number } | null {
     const state = this.shown_file === 0 ? this.view?.editor?.state : undefined;

@@ -14,3 +14,36 @@ export interface EditedProgram {
   note: string;
   refused: { text: string; line: number }[];
 }
+
+export interface CycleRow {
+  code: string;
+  title: string;
+  words: { letter: string; needed: boolean }[];
+}
+export type Point = [number, number];
+/// Figures in the unit of the program.
+export type BlocksQuestion =
+  | { what: "cycles" }
+  | {
+      what: "cycle";
+      code: string;
+      retract: string;
+      values: Record<string, number>;
+      holes: Point[];
+      unit: "mm" | "inch";
+    }
+  | { what: "arc"; from: Point; through: Point; to: Point; unit: "mm" | "inch" }
+  | {
+      what: "corner";
+      kind: "chamfer" | "rounding";
+      size: number;
+      from: Point;
+      corner: Point;
+      to: Point;
+      unit: "mm" | "inch";
+    };
+export interface WrittenBlocks {
+  cycles: CycleRow[];
+  retract: { code: string; title: string }[];
+  lines: string[];
+}

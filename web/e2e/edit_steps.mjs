@@ -1,0 +1,80 @@
+// "Edit program", in a real browser: feeds of one tool, a mirror image, a refusal with its line, taking over and undo.
+// Used by page.mjs.
+import { join } from "node:path";
+import { looks_at, must, until } from "./browser.mjs";
+
+export function edit_steps({ kadr, page, pictures }) {
+  const { count, text, ended } = looks_at(() => page);
+  const content = () => page.locator(".source .cm-content").textContent();
+  const answered = async (what) =>
+    until(what, async () => (await count(".edit-told .good, .edit-told .error")) >= 1, 60_000);
+  const open_program = async (path) => {
+    await page.goto(kadr.address());
+    await page.reload();
+    await until("the files", () => count(".file-row"));
+    await page.click(".crumbs button >> nth=0");
+    for (const name of path) {
+      await until(name, () => count(`.file-name:text-is("${name}")`));
+      await page.locator(".file-row", { has: page.locator(`.file-name:text-is("${name}")`) }).click();
+    }
+    await until("its name", async () => (await text(".topbar .file")) === path.join("/"));
+    await ended();
+  };
+  const choose = async (edit) => {
+    await page.selectOption(".edit [name=edit]", edit);
+    await page.waitForTimeout(50);
+  };
+  return {
+    async "edit: feeds of one tool by percent, next to the old text, proven"() {
+      if (!kadr.edits) return "skipped: the made-up session edits nothing";
+      await open_program(["docs", "two_tools.tap"]);
+      await page.click(".topbar button:has-text('Edit program')");
+      await choose("feed");
+      await page.fill(".edit [name=percent]", "50");
+      await page.selectOption(".edit [name=tool]", "1");
+      await until("F100 in the new text", async () => /F100/.test((await text(".edit .merge")) ?? ""), 60_000);
+      await answered("the proof");
+      must(/nothing else has changed/.test(await text(".edit-told")), `told: ${await text(".edit-told")}`);
+      await page.screenshot({ path: join(pictures, "edit_feed.png") });
+    },
+    async "edit: taken over as one change that undo takes back"() {
+      if (!kadr.edits) return "skipped: the made-up session edits nothing";
+      await page.click(".edit button.main");
+      await until(
+        "the new feed in the editor",
+        async () => /F100/.test(await content()) && !/F200/.test(await content()),
+      );
+      must(await count(".source .dirty"), "the text is not marked as unsaved");
+      await page.keyboard.press("Control+z");
+      await until("the old feed", async () => /F200/.test(await content()));
+      must(!(await count(".source .dirty")), "the old text is not as saved");
+    },
+    async "edit: a mirror image with both paths in the view"() {
+      if (!kadr.edits) return "skipped: the made-up session edits nothing";
+      await page.click(".topbar button:has-text('Edit program')");
+      await choose("mirror");
+      await answered("the proof");
+      must(/G42/.test((await text(".edit .merge")) ?? ""), "the side of the compensation is the old one");
+      await page.click(".edit button:has-text('Show both paths')");
+      await page.waitForTimeout(500);
+      await page.screenshot({ path: join(pictures, "edit_mirror.png") });
+    },
+    async "edit: refused with the line; a click shows it"() {
+      if (!kadr.edits) return "skipped: the made-up session edits nothing";
+      await choose("reverse");
+      await page.fill(".edit [name=from]", "4");
+      await page.fill(".edit [name=to]", "9");
+      await until("a refusal", async () => (await count(".edit-refused .link")) >= 1, 60_000);
+      must(await page.locator(".edit button.main").isDisabled(), "a refused edit can be taken over");
+      await page.screenshot({ path: join(pictures, "edit_refused.png") });
+      await page.locator(".edit-refused .link").first().click();
+      await page.keyboard.press("Escape");
+      await page
+        .locator("dialog.docked .dialog-head button")
+        .last()
+        .click()
+        .catch(() => undefined);
+      await until("it closes", async () => !(await count("dialog")));
+    },
+  };
+}
