@@ -116,8 +116,12 @@ def check_nothing_is_done_twice(kadr):
     expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)) == 0, 'done twice')
     kadr.file('a/0/p0.ngc', GOOD.format(500))
     os.utime(kadr.folder / 'a/1/p1.ngc')        # touched, not changed
+    before = (kadr.folder / 'a/3/p3.ngc').stat()
+    (kadr.folder / 'a/3/p3.ngc').unlink()
+    kadr.file('a/3/p3.ngc', WRONG.format(9))    # replaced by a file of the same size and time
+    os.utime(kadr.folder / 'a/3/p3.ngc', ns=(before.st_atime_ns, before.st_mtime_ns))
     (kadr.folder / 'a/2/p2.ngc').rename(kadr.folder / 'a/moved.ngc')
-    expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)) == 1, 'more than the changed program')
+    expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', expected=1)) == 2, 'not only the changed programs')
     expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', '--control', 'linuxcnc', expected=1)) == 30, 'another control is another result')
     expect(kadr.made_now(kadr.archive('check', 'a', '--db', 'a.sqlite', '--machine', 'mach3-router', expected=1)) == 30, 'another machine is another result')
     kadr.file('setup.json', '{"work_offsets": {"G54": {"X": 100}}}')

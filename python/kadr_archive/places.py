@@ -80,6 +80,11 @@ def as_path(name: str) -> str:
     return name if name.isascii() else name.translate(FOUND)
 
 
+def stamp_of(file: os.stat_result) -> int:
+    """Returns the time of the last change, ns: of the content, or of the file itself, which a copy with the old time replaces."""
+    return max(file.st_mtime_ns, file.st_ctime_ns)
+
+
 def digest(content: bytes) -> bytes:
     return hashlib.sha256(content).digest()
 
@@ -108,7 +113,7 @@ class Folder:
                             below.append(f'{folder}{as_text(at.name)}/')
                         elif at.is_file():
                             of = at.stat()
-                            entries.append(Entry(as_text(at.name), of.st_size, of.st_mtime_ns, lambda path=at.path: Path(path).read_bytes()))
+                            entries.append(Entry(as_text(at.name), of.st_size, stamp_of(of), lambda path=at.path: Path(path).read_bytes()))
             except OSError as error:
                 self.faults.append(str(error))
                 self.lost.append(folder)
@@ -193,7 +198,7 @@ class List:
             except OSError as error:
                 self.faults.append(str(error))
                 continue
-            by_folder.setdefault(as_text(f'{folder}/' if folder else ''), []).append(Entry(as_text(name), of.st_size, of.st_mtime_ns, path.read_bytes))
+            by_folder.setdefault(as_text(f'{folder}/' if folder else ''), []).append(Entry(as_text(name), of.st_size, stamp_of(of), path.read_bytes))
         yield from sorted(by_folder.items())
 
     def on_disk(self, folder: str, name: str) -> Optional[str]:
@@ -241,29 +246,28 @@ class Scan:
 
     def take(self, source: Source) -> None:
         """Reads the source. Folders that are not there any more are closed at the end; those that cannot be read are left as they were."""
-        begun = time.time_ns()
         known = {folder for folder, in self.store.rows('SELECT DISTINCT folder FROM places WHERE source = ? AND until IS NULL', (source.name,))}
         waiting: list[tuple[str, list[Entry]]] = []
         for folder, entries in source.folders():
             known.discard(folder)
             waiting.append((folder, entries))
             if sum(len(of) for _, of in waiting) >= 2000:   # many small folders share a transaction
-                self._take_folders(source, waiting, begun)
+                self._take_folders(source, waiting)
                 waiting = []
             if self.stop():
                 return
-        self._take_folders(source, waiting, begun)
+        self._take_folders(source, waiting)
         known = {folder for folder in known if not any(folder.startswith(lost) for lost in source.lost)}
         with self.store.changes():
             for folder in known:
-                self._take_folder(source, folder, [], begun)
+                self._take_folder(source, folder, [])
 
-    def _take_folders(self, source: Source, waiting: list[tuple[str, list[Entry]]], begun: int) -> None:
+    def _take_folders(self, source: Source, waiting: list[tuple[str, list[Entry]]]) -> None:
         with self.store.changes():
             for folder, entries in waiting:
-                self._take_folder(source, folder, entries, begun)
+                self._take_folder(source, folder, entries)
 
-    def _take_folder(self, source: Source, folder: str, entries: list[Entry], begun: int) -> None:
+    def _take_folder(self, source: Source, folder: str, entries: list[Entry]) -> None:
         db = self.store.db
         before = {name: Content(*of) for name, *of in db.execute(
             'SELECT name, size, stamp, content, fault, asked FROM places WHERE source = ? AND folder = ? AND until IS NULL', (source.name, folder))}
@@ -277,7 +281,7 @@ class Scan:
             if old and old.fault is None and (old.size, old.stamp, old.asked) == (entry.size, entry.stamp, asked):
                 self.seen(1)
                 continue
-            new = self._content(entry, asked, begun)
+            new = self._content(entry, asked)
             self.seen(1)
             if old and (old.content, old.fault, old.asked) == (new.content, new.fault, new.asked):
                 db.execute('UPDATE places SET size = ?, stamp = ? WHERE source = ? AND folder = ? AND name = ? AND until IS NULL',
@@ -293,14 +297,14 @@ class Scan:
         if changed:
             self._remember_folder(source, folder)
 
-    def _content(self, entry: Entry, asked: str, begun: int) -> Content:
+    def _content(self, entry: Entry, asked: str) -> Content:
         try:
             if entry.size > MOST_BYTES:
                 raise OSError(WHY_LONG)
             content = entry.read()
         except OSError as error:
             return Content(entry.size, 0, None, str(error), asked)
-        stamp = 0 if abs(begun - entry.stamp) < FRESH_NS or len(content) != entry.size else entry.stamp
+        stamp = 0 if entry.stamp > time.time_ns() - FRESH_NS or len(content) != entry.size else entry.stamp
         return Content(len(content), stamp, digest(content), None, asked)
 
     def _close(self, source: Source, folder: str, name: str) -> None:

@@ -34,7 +34,7 @@ CREATE TABLE places (
   folder TEXT NOT NULL,         -- folder of the program within the source, ends in /; empty: the source itself
   name TEXT NOT NULL,
   size INTEGER NOT NULL,
-  stamp INTEGER NOT NULL,       -- time of the last change, ns; of a zip file the checksum; 0: the content is read again next time
+  stamp INTEGER NOT NULL,       -- time of the last change of content or file, ns; in a zip file the checksum; 0: the content is read again next time
   content BLOB,                 -- SHA-256 of the bytes; NULL: unreadable
   fault TEXT,                   -- why it is unreadable
   asked TEXT NOT NULL,          -- control that the user or .kadr.toml names; empty: Kadr guesses it from the text
