@@ -126,6 +126,37 @@ def endless(server):
     expect('error' in page.ask('machine', file='../outside.nc', **WITH), 'a program beyond the folder')
 
 
+def by_hand(server):
+    """An axis that a held key moves, an override above 100 %, the line of an M0."""
+    page = looker(server)
+    page.ask('machine', file='part.nc', **WITH)
+    expect('error' not in page.ask('jog', axis='X', way=1.0, feed=6000.0, held=True), 'a key is held')
+    for _ in range(6):
+        time.sleep(0.1)
+        expect(page.ask('jogging', on=True)['moves'], 'it is still held')
+    expect(page.ask('jogging', on=False)['moves'], 'it is released')
+    there = stands(page)
+    expect(30 < there['machine']['X'] < 190 and there['line'] == 1, f'the axis has moved: {there}')
+    expect(not page.ask('jogging', on=True)['moves'], 'nothing moves by a key')
+    expect('error' in page.ask('jog', axis='X', way=0.0, held=True) and 'error' in page.ask('jog', axis='Q', way=1.0, held=True), 'keys that are none')
+    page.ask('jog', axis='X', way=-1.0, feed=6000.0, held=True)
+    page.socket.close()  # the page dies with the key held
+    page = looker(server)
+    page.ask('machine', file='part.nc', **WITH)
+    dead = stands(page)
+    expect(dead['machine']['X'] > there['machine']['X'] - 60, f'the machine stops by itself: {dead}')
+    page.ask('enter', line='G0 X0 Y0')
+    until(page, lambda p: p['mode'] == 'standing' and p['machine']['X'] == 0)
+    expect('error' in page.ask('switches', wrong=True, override=2.1) and 'error' in page.ask('switches', rapid=1.1), 'overrides beyond the limits')
+    expect('error' not in page.ask('switches', override=1.5), 'an override above 100 %')
+    page.ask('press', key='run')
+    fast = until(page, lambda p: p['line'] == 3 and p['speed'] > 4400)
+    expect(fast['override'] == 1.5 and fast['share'] > 1.4 and fast['feed'] == 3000, f'150 % {fast}')
+    stop = until(page, lambda p: p['mode'] == 'standing' and p['why'] == 'M0')
+    expect(stop['stop_line'] == 4 and stop['stop_text'] == 'M0', f'the line of M0 {stop}')
+    page.ask('press', key='off')
+
+
 def saved_meanwhile(server, folder):
     """The machine runs the text it started with, with the line numbers of that text, until it starts again; its tables and positions
     likewise."""
@@ -295,6 +326,7 @@ def main():
         server = Server(kadr, folder, '--open')
         many(server, operator(server))
         endless(server)
+        by_hand(server)
         channels(server)
         at_rest(server)
         holes(server)
@@ -302,7 +334,7 @@ def main():
         saved_meanwhile(server, folder)
         expect(server.process.poll() is None and server.end() == 130, 'the server still stands, and ends with machines that are on')
     said = {name for name in seen if '.' in name}
-    named = {n for n in SCHEMA['$defs'] if n.split('.')[-1] in ('machines', 'machine', 'panel', 'machine_source', 'press', 'switches', 'enter', 'undo', 'jog', 'lead', 'stops') and '.' in n}
+    named = {n for n in SCHEMA['$defs'] if n.split('.')[-1] in ('machines', 'machine', 'panel', 'machine_source', 'press', 'switches', 'enter', 'undo', 'jog', 'lead', 'jogging', 'stops') and '.' in n}
     expect(not named - said, f'of the schema never said: {sorted(named - said)}')
     return result()
 

@@ -35,7 +35,7 @@ void ChannelAxes::take(Leg& leg, const TimedCells& cells, const MotionLimits& li
   leg.to_come.push_back(cells);
 }
 
-void ChannelAxes::plan(Planned& planned, double dry_feed) {
+void ChannelAxes::plan(Planned& planned, const PanelOverrides& shares) {
   planned_ = &planned;
   // The list of legs is a deque, so the address of the new leg stays valid when further legs are added.
   Leg& leg = legs_.emplace_back(planned.limits(), rate_);
@@ -45,7 +45,8 @@ void ChannelAxes::plan(Planned& planned, double dry_feed) {
     leg.blocks.add(pending);
   });
   planned.plan_each(planned_each);
-  planned.run_dry(dry_feed);
+  planned.run_dry(shares.dry_feed);
+  planned.scale_feed(shares.planned());
 }
 
 void ChannelAxes::end_leg(std::shared_ptr<PanelMeeting> meeting, const Origin& at) {
@@ -118,8 +119,9 @@ void ChannelAxes::note_block() {
 /// applies some thousandths of a second late.
 void ChannelAxes::apply_overrides(const PanelOverrides& shares, bool stands) {
   const double spindle = on.by_turn ? std::min(1.0, shares.spindle) : 1;
-  const double share = on.feed > 0 ? shares.feed * spindle : std::min(shares.rapid, shares.feed > 0 ? 1.0 : 0.0);
+  const double share = on.feed > 0 ? shares.feed / on.factor * spindle : std::min(shares.rapid, shares.feed > 0 ? 1.0 : 0.0);
   share_ = stands ? 0 : share;
+  if (planned_ != nullptr) planned_->scale_feed(shares.planned());
   if (!legs_.empty()) legs_.front().playback.override_to(share_);
 }
 

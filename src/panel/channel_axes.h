@@ -21,11 +21,13 @@ namespace kadr {
 
 /// The overrides that the operator selects, as factors of the programmed speeds.
 struct PanelOverrides {
-  static constexpr double least_spindle = 0.5, max_spindle = 1.2;
-  double feed = 1, rapid = 1;  // factor of the planned feed and of the planned rapid speed, 0 to 1
+  static constexpr double least_spindle = 0.5, max_spindle = 1.2, max_feed = 2;
+  double feed = 1, rapid = 1;  // factor of the programmed feed, 0 to 2, and of the planned rapid speed, 0 to 1
   double spindle = 1;          // factor of the programmed spindle speed
   // Dry run: the feed in mm/min that replaces all feeds except thread feeds, from the next start of motion; 0: the dry run is off.
   double dry_feed = 0;
+  /// The factor of the programmed feed with which motion is planned. An override up to 1 needs no other plan: the plan is played slower.
+  double planned() const { return feed > 1 ? feed : 1; }
   friend bool operator==(const PanelOverrides&, const PanelOverrides&) = default;
 };
 
@@ -74,7 +76,7 @@ class ChannelAxes {
   /// Discards all motion and state, for a restart of the program from its beginning.
   void start_over();
   /// Starts a new leg at the end of the last leg. The planner `planned` plans the leg and numbers its motions; it must be unused.
-  void plan(Planned& planned, double dry_feed);
+  void plan(Planned& planned, const PanelOverrides& shares);
   /// Ends the leg that is being planned. The axes stop at the end of this leg.
   ///   meeting  the meeting at which the channel waits after the leg; nullptr: nothing follows the leg
   ///   at       the block with the waiting code of this meeting
@@ -100,6 +102,7 @@ class ChannelAxes {
   /// Sets `on` to the block that the axes are executing.
   void note_block();
   /// Sets the override of the axes from the operator's overrides. The override is 0 if `stands` is true, that is, if a feed hold is active.
+  /// An override above 1 applies to motion that is planned from now on.
   void apply_overrides(const PanelOverrides& shares, bool stands);
   /// Returns the limit that determines the speed of the axes at present; nullopt if the axes are at rest.
   std::optional<PanelLimit> limit();

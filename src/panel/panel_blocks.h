@@ -26,6 +26,7 @@ struct PanelBlock {
   Axes work{}, machine{};    // work and machine coordinates at the end of the motion, mm or degrees
   Placement placement;       // position of the work coordinate system in machine coordinates during the motion
   double feed = 0;           // programmed feed, mm/min; 0 in a rapid motion
+  double factor = 1;         // feed override above 1 with which the motion is planned, as a factor of the programmed feed
   bool by_turn = false;      // true if the feed of the motion was programmed per revolution of the spindle
   std::uint32_t number = 0;  // Number of the block in the run, without the operator's lines; 0: the block is not part of the program.
   bool entered = false;      // True if the motion comes from a line that the operator entered. Such a line is in no file.

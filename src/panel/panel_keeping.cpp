@@ -107,28 +107,32 @@ void PanelMachine::keep_tables(const Setup& before) {
 tl::expected<PanelTables, std::string> PanelMachine::tables() {
   // The tables are in shared memory, because the request that fills them may be executed after this call has timed out.
   const auto tables = std::make_shared<PanelTables>();
-  const Answer answer = ask([this, tables]() -> Answer {
-    if (!running_) note_variables(last_line_);
-    tables->state = session_->control().run_state();
-    for (const auto& [name, value] : variables_) {
-      const auto by = set_by_.find(name);
-      tables->variables.push_back({name, value, by == set_by_.end() ? 0 : by->second});
-    }
-    return {};
-  });
+  const Answer answer = ask(
+      [this, tables]() -> Answer {
+        if (!running_) note_variables(last_line_);
+        tables->state = session_->control().run_state();
+        for (const auto& [name, value] : variables_) {
+          const auto by = set_by_.find(name);
+          tables->variables.push_back({name, value, by == set_by_.end() ? 0 : by->second});
+        }
+        return {};
+      },
+      Wait::for_end);
   if (!answer) return Failed(answer.error());
   return std::move(*tables);
 }
 
 tl::expected<std::vector<PanelWatch>, std::string> PanelMachine::watch_values(const std::vector<std::string>& expressions) {
   const auto values = std::make_shared<std::vector<PanelWatch>>();
-  const Answer answer = ask([this, values, expressions]() -> Answer {
-    for (const std::string& text : expressions) {
-      const auto value = stepping_->value(text);
-      values->push_back({text, value && !is_vacant(*value) ? std::optional(*value) : std::nullopt});
-    }
-    return {};
-  });
+  const Answer answer = ask(
+      [this, values, expressions]() -> Answer {
+        for (const std::string& text : expressions) {
+          const auto value = stepping_->value(text);
+          values->push_back({text, value && !is_vacant(*value) ? std::optional(*value) : std::nullopt});
+        }
+        return {};
+      },
+      Wait::for_end);
   if (!answer) return Failed(answer.error());
   return std::move(*values);
 }
@@ -154,7 +158,7 @@ PanelMachine::Answer PanelMachine::may_apply_tables_now() const {
 }
 
 PanelMachine::Answer PanelMachine::may_apply_tables() {
-  return ask([this]() -> Answer { return may_apply_tables_now(); });
+  return ask([this]() -> Answer { return may_apply_tables_now(); }, Wait::for_end);
 }
 
 PanelMachine::Answer PanelMachine::take_tables() {

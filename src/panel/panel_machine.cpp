@@ -21,7 +21,8 @@ constexpr double seen_share = 1e-6;  // least decrease of the override (0 to 1) 
 constexpr auto seen_within = std::chrono::milliseconds(20);  // time limit until a request's effect is visible; some axes can hardly brake
 // Time limit for the start of a request. If it expires, the machine is busy and the request is dropped.
 constexpr auto answers_within = std::chrono::seconds(2);
-constexpr auto done_within = std::chrono::seconds(60);  // time limit for the completion of a request that has started
+constexpr auto queued_after = std::chrono::seconds(2);  // time limit until a request that has started is reported as queued
+constexpr auto done_within = std::chrono::seconds(60);  // time limit for the completion of a request whose result the caller needs
 
 /// Waits until `is` returns true, but only for a short time, so that the caller's next query of the state shows the effect of a request.
 template <class Is>
@@ -41,11 +42,13 @@ void PanelMachine::switch_off() {
   thread_.wait();
 }
 
-/// Lets the machine's thread execute a request and returns its result. Returns an error if the request was dropped, or if it has started
-/// but is not completed in time.
-PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
+/// Lets the machine's thread execute a request and returns its result: done, queued if the request has started but takes long, or an error
+/// if the request was dropped.
+///   wait  for_end: the caller needs the result of the request, which only reads
+PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what, Wait wait) {
   std::future<Answer> answer;
   std::uint64_t number = 0;
+  std::shared_ptr<bool> is_queued;
   {
     const std::lock_guard hold(lock_);
     if (ends_) return Failed(translated(texts::panel::off));
@@ -56,6 +59,7 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
                          {},
                          number = ++request_count_});
     answer = requests_.back().answer.get_future();
+    is_queued = requests_.back().is_queued;
   }
   wakes_.notify_all();
   if (answer.wait_for(answers_within) == std::future_status::ready) return answer.get();
@@ -64,8 +68,15 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
     if (std::erase_if(requests_, [&](const Request& one) { return one.number == number; }) != 0)
       return Failed(translated(texts::panel::busy));
   }
-  if (answer.wait_for(done_within) == std::future_status::ready) return answer.get();
-  return Failed(translated(texts::panel::not_over_yet));
+  if (wait == Wait::for_end) {
+    if (answer.wait_for(done_within) == std::future_status::ready) return answer.get();
+    return Failed(translated(texts::panel::not_over_yet));
+  }
+  if (answer.wait_for(queued_after) == std::future_status::ready) return answer.get();
+  const std::lock_guard hold(lock_);
+  if (answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready) return answer.get();
+  *is_queued = true;
+  return Outcome::queued;
 }
 
 void PanelMachine::execute_requests() {
@@ -85,8 +96,19 @@ void PanelMachine::execute_requests() {
       stop_at_once();
       answer = Failed(translated(texts::panel::out_of_memory));
     }
-    next.answer.set_value(answer);
+    give_answer(next, answer);
   }
+}
+
+/// Passes the answer to the caller. If the caller does not wait any more, the panel displays why the request was not executed.
+void PanelMachine::give_answer(Request& request, const Answer& answer) {
+  {
+    const std::lock_guard hold(lock_);
+    request.answer.set_value(answer);
+    if (answer || !*request.is_queued) return;
+  }
+  panel_state_.message = answer.error();
+  show();
 }
 
 /// Executes what is due in the machine's thread, and then waits for the next event.
@@ -126,6 +148,7 @@ void PanelMachine::stand_still() {
 
 void PanelMachine::watch_run() {
   provide();
+  if (held_until_ && std::chrono::steady_clock::now() > *held_until_) let_go();
   const bool stand = std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->stands(); });
   if (resets_ && stand) {
     drop_run();
@@ -134,7 +157,7 @@ void PanelMachine::watch_run() {
   }
   const bool held = std::any_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->clock.sample().held; });
   panel_state_.mode = stand && held ? PanelMode::held : PanelMode::running;
-  if (is_over()) end_run();
+  if (is_over() || (lets_go_ && stand)) end_run();
   show();
 }
 
@@ -202,7 +225,7 @@ PanelMachine::Answer PanelMachine::may_begin() const {
 }
 
 void PanelMachine::apply_overrides() {
-  for (const auto& lane : lanes_) lane->apply_overrides(panel_state_.shares, holds_ || resets_);
+  for (const auto& lane : lanes_) lane->apply_overrides(panel_state_.shares, holds_ || resets_ || lets_go_);
 }
 
 /// Continues the program. After a feed hold, the function returns only when the axes move again.
@@ -311,7 +334,8 @@ PanelMachine::Answer PanelMachine::set_skip(int number, bool on) {
 
 PanelMachine::Answer PanelMachine::set_overrides(const PanelOverrides& shares) {
   const auto is_share = [](double share) { return share >= 0 && share <= 1; };
-  if (!is_share(shares.feed) || !is_share(shares.rapid)) return Failed(translated(texts::panel::override_limits));
+  if (!(shares.feed >= 0 && shares.feed <= PanelOverrides::max_feed) || !is_share(shares.rapid))
+    return Failed(translated(texts::panel::override_limits));
   if (!(shares.spindle >= PanelOverrides::least_spindle && shares.spindle <= PanelOverrides::max_spindle))
     return Failed(translated(texts::panel::spindle_limits));
   if (!(shares.dry_feed >= 0 && shares.dry_feed <= 1e5)) return Failed(translated(texts::panel::dry_run_limits));
@@ -324,67 +348,19 @@ PanelMachine::Answer PanelMachine::set_overrides(const PanelOverrides& shares) {
   });
 }
 
-PanelMachine::Answer PanelMachine::enter(const std::string& line) {
-  if (line.empty() || line.size() > max_entered || line.find_first_of("\n\r") != std::string::npos)
-    return Failed(translated(texts::panel::one_line_wanted));
-  return ask([this, line]() -> Answer {
-    if (const Answer may = may_begin(); !may) return may;
-    if (session_->control().in_block() || (goes_on_ && !stepping_->next())) return Failed(translated(texts::panel::run_block_first));
-    auto memory = stepping_->snapshot();
-    if (!memory) return Failed(translated(texts::panel::waits_for_probe));
-    if (before_.size() == most_undone) before_.erase(before_.begin());
-    before_.push_back({std::move(*memory), lane_->clock.sample().machine, lane_->placement, entered_});
-    panel_state_.message.clear(), panel_state_.why.clear();
-    panel_state_.alarm.reset();
-    notify("line", line);
-    begin_line(line, own_);
-    return {};
-  });
-}
-
-PanelMachine::Answer PanelMachine::undo() {
-  return ask([this]() -> Answer {
-    if (const Answer may = may_begin(); !may) return may;
-    if (before_.empty()) return Failed(translated(texts::panel::nothing_entered));
-    const Before before = std::move(before_.back());
-    before_.pop_back();
-    const Setup tables = session_->control().tables_now();
-    if (const Status back = stepping_->restore(before.stepping); !back) return Failed(std::string(name_of(back.error().id)));
-    lane_->clock.stand_at(before.machine);
-    lane_->placement = before.placement;
-    entered_ = before.entered;
-    note_variables(0);
-    keep_tables(tables);
-    panel_state_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
-    panel_state_.alarm.reset();
-    lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;
-    lane_->on.work = session_->stand().work, lane_->on.machine = before.machine, lane_->on.placement = lane_->placement;
-    lane_->on.modes = std::make_shared<PanelModes>(PanelModes{session_->control().in_force(), {}, session_->control().lathe_modes()});
-    return {};
-  });
-}
-
-PanelMachine::Answer PanelMachine::jog(const std::string& axis, double distance, double feed, int channel) {
-  return ask([this, axis, distance, feed, channel]() -> Answer {
-    if (const Answer may = may_begin(); !may) return may;
-    const auto is_it = [&](const auto& lane) { return channel == 0 ? lane.get() == lane_ : lane->number == channel; };
-    const auto found = std::find_if(lanes_.begin(), lanes_.end(), is_it);
-    if (found == lanes_.end()) return Failed(translated(texts::panel::no_such_channel));
-    return move_by_hand(std::size_t(found - lanes_.begin()), axis, distance, feed);
-  });
-}
-
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
   // The number is in shared memory, because the request that sets it may be executed after this call has timed out.
   const auto number = std::make_shared<std::size_t>(0);
-  const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
-    if (panel_state_.stops.size() == max_stops) return Failed(translated(texts::panel::too_many_stops));
-    if (!point.condition.empty())
-      if (const auto holds = stepping_->holds(point.condition); !holds) return Failed(translated(texts::panel::condition_wrong));
-    *number = stepping_->add(point);
-    panel_state_.stops.emplace(*number, point);
-    return {};
-  });
+  const Answer answer = ask(
+      [this, number, point = std::move(point)]() -> Answer {
+        if (panel_state_.stops.size() == max_stops) return Failed(translated(texts::panel::too_many_stops));
+        if (!point.condition.empty())
+          if (const auto holds = stepping_->holds(point.condition); !holds) return Failed(translated(texts::panel::condition_wrong));
+        *number = stepping_->add(point);
+        panel_state_.stops.emplace(*number, point);
+        return {};
+      },
+      Wait::for_end);
   if (!answer) return Failed(answer.error());
   return *number;
 }

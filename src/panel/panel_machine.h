@@ -9,6 +9,7 @@
 // end of the program, before a block at which the program is held, or after a line that the operator entered. A run of motion is planned
 // with the limits of the selected machine.
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -62,6 +63,7 @@ struct PanelState {
   std::size_t hit = 0;        // number of the stop point that holds the program; 0: no stop point holds it
   std::string message;        // the message that the program displays
   std::string why;            // reason for the stop: "M0", "M1", "restart"; empty: another reason
+  AlarmReport::Line stop;     // the line with M0 or M1, if this is the reason for the stop
   bool asks = false;          // True if the program waits for the operator's answer() to the question in `message`.
   bool takes_tables = false;  // true while edited tables are being applied
   std::string save_fault;     // An error sentence that states why the machine's data cannot be saved; empty: the data are saved.
@@ -173,8 +175,10 @@ class PanelMachine {
   /// Stops the axes. From this call on nothing is saved or reported, and all requests are refused.
   void switch_off();
 
-  // The result of a request; on failure an error sentence that states why the request was refused.
-  using Answer = tl::expected<void, std::string>;
+  /// What has become of a request that is not refused: it is done, or it has begun and is completed later.
+  enum class Outcome : std::uint8_t { done, queued };
+  // The outcome of a request, or an error sentence that states why the request was refused. A refused request is never executed later.
+  using Answer = tl::expected<Outcome, std::string>;
   /// Continues the program from the block at which it is held, or resumes after a feed hold.
   ///   how  how far the program runs; nullopt: one block if the single block switch is on, otherwise to the next stop
   Answer run(std::optional<Stepping::How> how = {});
@@ -201,10 +205,17 @@ class PanelMachine {
   ///   feed     mm/min or degrees/min; 0: the highest speed of the axis
   ///   channel  number of the channel that has the axis; 0: the program's own channel
   Answer jog(const std::string& axis, double distance, double feed, int channel = 0);
+  /// Moves an axis by hand as long as keep_jogging(true) is called at least every `most_silence`. Then it slows down and stops, as it does
+  /// at the end of its travel.
+  ///   sign     direction, positive or negative
+  ///   feed, channel  as in jog()
+  Answer jog_while_held(const std::string& axis, double sign, double feed, int channel = 0);
+  /// Lets an axis that jog_while_held() moves go on, or slow down and stop. Returns false if no axis is moved so.
+  bool keep_jogging(bool on);
+  static constexpr std::chrono::milliseconds most_silence{300};
   /// Moves the axes of the program's own channel by hand along the path `points`.
   Answer move_along_path(const std::vector<WayPoint>& points);
-  /// Adds a stop point, at which the program will be held.
-  ///   returns  the number of the stop point
+  /// Adds a stop point, at which the program will be held. Returns its number.
   tl::expected<std::size_t, std::string> add_stop(StopPoint point);
   Answer remove_stop(std::size_t number);
 
@@ -261,15 +272,19 @@ class PanelMachine {
     std::function<Answer()> what;
     std::promise<Answer> answer;
     std::uint64_t number = 0;
+    // true if the caller was told that the request is queued; lock_ protects the value
+    std::shared_ptr<bool> is_queued = std::make_shared<bool>(false);
   };
+  enum class Wait : std::uint8_t { for_start, for_end };
 
   PanelMachine(SessionOpener opens, PanelRecorder keeper, std::vector<Axes> stands)
       : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
-  // The functions below are in panel_machine.cpp. They are the machine's thread and the operator's requests.
-  Answer ask(std::function<Answer()> what);
+  // in panel_machine.cpp: the machine's thread and the operator's requests
+  Answer ask(std::function<Answer()> what, Wait wait = Wait::for_start);
   void live();
   bool look_round();
   void execute_requests();
+  void give_answer(Request& request, const Answer& answer);
   void watch_run();
   /// True if an emergency stop was requested and the machine's thread has not handled this request yet.
   bool must_stop() const { return lane_->clock.was_stopped() && panel_state_.mode != PanelMode::emergency; }
@@ -312,6 +327,11 @@ class PanelMachine {
   void drop_run();
   ToolPosition standing_plainly(std::size_t channel) const;
   void begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& motions);
+  double factor_of(const Motion& motion) const;
+  double way_while_held(std::size_t channel, const std::string& axis, double sign, double feed) const;
+  // The functions below are in panel_by_hand.cpp.
+  tl::expected<std::size_t, std::string> channel_of(int number) const;
+  void let_go();
   Answer move_by_hand(std::size_t channel, const std::string& axis, double distance, double feed);
   // The functions below are in panel_restart.cpp.
   Answer may_go_there() const;
@@ -345,9 +365,11 @@ class PanelMachine {
   std::optional<Run> running_;
   std::optional<Stepping::How> how_;  // how far the run of motion goes; nullopt: the single block switch decides
   bool holds_ = false;                // true while a feed hold is active
-  bool resets_ = false;               // True if a reset was requested. The reset is executed when the axes are at rest.
-  bool goes_on_ = false;              // True if the program has not ended: one of its channels is held before a block.
-  Control* asks_ = nullptr;           // the control whose program waits for an answer to a question
+  bool lets_go_ = false;              // True if the axis that a held key moves must stop.
+  std::optional<std::chrono::steady_clock::time_point> held_until_;  // until then an axis moves by a held key; nullopt: none does
+  bool resets_ = false;      // True if a reset was requested. The reset is executed when the axes are at rest.
+  bool goes_on_ = false;     // True if the program has not ended: one of its channels is held before a block.
+  Control* asks_ = nullptr;  // the control whose program waits for an answer to a question
   std::vector<Before> before_;
   std::optional<PanelApproach> going_;
   // Numbers of executed blocks: `entered_` in all lines of the operator, `entering_from_` before the line of the operator that is being

@@ -45,20 +45,23 @@ tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const st
                                                                         const WayRules& rules) {
   // The result is in shared memory, because the request that fills it may be executed after this call has timed out.
   const auto sheets = std::make_shared<std::vector<PanelSheet>>();
-  const Answer answer = ask([sheets, this, place, rules]() -> Answer {
-    if (const Answer may = may_go_there(); !may) return may;
-    WayRules of_others = rules;
-    of_others.clearance = nowhere;  // The clearance is a work coordinate of the own channel, so it has no meaning in the other channels.
-    auto own = sheet_of_channel(own_, place->restart, place->in_block, rules);
-    if (!own) return Failed(own.error());
-    sheets->push_back(std::move(*own));
-    for (const OtherChannelState& channel : place->other_channels) {
-      auto other = sheet_of_channel(channel.channel, channel.restart, channel.in_block, of_others);
-      if (!other) return Failed(other.error());
-      sheets->push_back(std::move(*other));
-    }
-    return {};
-  });
+  const Answer answer = ask(
+      [sheets, this, place, rules]() -> Answer {
+        if (const Answer may = may_go_there(); !may) return may;
+        WayRules of_others = rules;
+        of_others.clearance =
+            nowhere;  // The clearance is a work coordinate of the own channel, so it has no meaning in the other channels.
+        auto own = sheet_of_channel(own_, place->restart, place->in_block, rules);
+        if (!own) return Failed(own.error());
+        sheets->push_back(std::move(*own));
+        for (const OtherChannelState& channel : place->other_channels) {
+          auto other = sheet_of_channel(channel.channel, channel.restart, channel.in_block, of_others);
+          if (!other) return Failed(other.error());
+          sheets->push_back(std::move(*other));
+        }
+        return {};
+      },
+      Wait::for_end);
   if (!answer) return Failed(answer.error());
   return std::move(*sheets);
 }

@@ -36,6 +36,7 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
         if (stop.optional && !panel_state_.optional_stop) return;
         hold_next();
         panel_state_.why = stop.optional ? "M1" : "M0";
+        panel_state_.stop = control.line_at(step.action.origin);
       },
       ignores<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, SurfaceSpeed, Sync,
               ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
@@ -51,9 +52,15 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   pending.work = motion->to, pending.machine = motion->machine;
   pending.placement = lane.placement;
   pending.entered = running_ && running_->of == Run::Of::line;
+  pending.factor = factor_of(*motion);
   pending.by_turn = motion->unit == FeedUnit::mm_per_rev;
   pending.number = pending.entered || !is_own ? 0 : origin.number - std::uint32_t(entered_);
   pending.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
+}
+
+/// Returns the factor of the programmed feed with which the motion is planned.
+double PanelMachine::factor_of(const Motion& motion) const {
+  return panel_state_.shares.dry_feed > 0 || !AxisMotion::has_override(motion) ? 1 : panel_state_.shares.planned();
 }
 
 /// Starts a leg of a channel, that is, the motion up to the next stop. The planner of the leg starts at the position at which the axes will
@@ -64,7 +71,7 @@ void PanelMachine::begin_leg(std::size_t channel) {
   // The planner of the channel's new leg receives the steps from here on; this function replaces the one that used the planner of the
   // previous leg.
   session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };
-  lane.plan(session_->plan(channel), panel_state_.shares.dry_feed);
+  lane.plan(session_->plan(channel), panel_state_.shares);
   session_->change_outlets();
 }
 
@@ -156,6 +163,19 @@ void PanelMachine::end_line() {
   if (tables_before_) keep_tables(*std::exchange(tables_before_, std::nullopt));
 }
 
+/// Returns how far an axis may move in the direction of `sign`: to the end of its travel, but at most as far as it moves in a minute,
+/// because the motion is planned at once.
+double PanelMachine::way_while_held(std::size_t channel, const std::string& axis, double sign, double feed) const {
+  constexpr double without_feed = 5'000;  // mm or degrees
+  const ChannelAxes& lane = *lanes_[channel];
+  const auto found = std::find(lane.axes.begin(), lane.axes.end(), axis);
+  if (found == lane.axes.end()) return sign;
+  const auto [least, most] = limits_of(session_->machine(), session_->channels()[channel].setup, axis);
+  const double at = standing_plainly(channel).machine[std::size_t(found - lane.axes.begin())];
+  const double left = sign > 0 ? most - at : at - least, within = feed > 0 ? std::min(feed, farthest) : without_feed;
+  return (sign > 0 ? 1 : -1) * std::min(left, within);
+}
+
 PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::string& axis, double distance, double feed) {
   ChannelAxes& lane = *lanes_[channel];
   const auto found = std::find(lane.axes.begin(), lane.axes.end(), axis);
@@ -196,12 +216,15 @@ void PanelMachine::begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& m
   run.by_hand = std::make_unique<Planned>(channel, session_->machine(), stand);
   run.planned_all = true;
   has_moved_ = true;
-  lane.plan(*run.by_hand, 0);
+  PanelOverrides by_hand = panel_state_.shares;
+  by_hand.dry_feed = 0;
+  lane.plan(*run.by_hand, by_hand);
   TimeEstimate times(lane.roles, rates_of(session_->machine(), channel.setup, lane.axes));
   Steps steps(lane.roles, stand, &times);
   for (const Motion& motion : motions) {
     lane.pending = lane.on;
     lane.pending.work = motion.to, lane.pending.machine = motion.machine, lane.pending.feed = motion.feed;
+    lane.pending.factor = factor_of(motion);
     Action action;
     action.what = motion;
     steps.give(action, [&](const Step& step) {
@@ -243,7 +266,8 @@ void PanelMachine::end_run() {
   const Session::State came_to = running_->came_to;
   if (of == Run::Of::line) end_line();
   running_.reset();
-  holds_ = false;
+  holds_ = lets_go_ = false;
+  held_until_.reset();
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     ServoClock& clock = lanes_[i]->clock;
     const Axes at = clock.sample().machine;
@@ -292,7 +316,8 @@ void PanelMachine::drop_run() {
   for (const auto& lane : lanes_) lane->drop();
   running_.reset();
   going_.reset();
-  holds_ = resets_ = false;
+  holds_ = resets_ = lets_go_ = false;
+  held_until_.reset();
 }
 
 }  // namespace kadr

@@ -58,6 +58,8 @@ class Planned {
   void work_in_background() { motion_.work_in_background(); }
   /// Replaces all feeds, except thread feeds, by `feed`, mm/min, as in a dry run; see AxisMotion::run_dry().
   void run_dry(double feed) { motion_.run_dry(feed); }
+  /// Scales the feeds of the motions that are consumed from now on; see AxisMotion::scale_feed().
+  void scale_feed(double factor) { motion_.scale_feed(factor); }
 
   /// Changes the position at which the plan starts. To be called before the first step.
   void begin_at(const ToolPosition& stand) { motion_.begin_at(stand); }

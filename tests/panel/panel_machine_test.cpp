@@ -115,7 +115,7 @@ TEST(PanelMachine, AnOverrideOfZeroStandsAndGoesOnByItself) {
   ASSERT_TRUE(panel->set_overrides(feed_share(1)));
   ASSERT_TRUE(panel.stands(PanelMode::ended));
   expect_at(panel, {60, 0, 0});
-  for (const double share : {-0.1, 1.1, double(NAN)}) EXPECT_FALSE(panel->set_overrides(feed_share(share)));
+  for (const double share : {-0.1, 2.1, double(NAN)}) EXPECT_FALSE(panel->set_overrides(feed_share(share)));
 }
 
 TEST(PanelMachine, AResetBrakesOnThePathAndIsAtTheBeginning) {

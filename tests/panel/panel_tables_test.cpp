@@ -199,7 +199,7 @@ TEST(PanelSwitches, RapidAndDryRunAndSpindle) {
   }));
   EXPECT_GT(fastest, 100);
   EXPECT_LT(fastest, 0.06 * 60'000);
-  for (PanelOverrides bad : {PanelOverrides{2, 1, 1, 0}, PanelOverrides{1, -1, 1, 0}, PanelOverrides{1, 1, 0.4, 0},
+  for (PanelOverrides bad : {PanelOverrides{2.1, 1, 1, 0}, PanelOverrides{1, -1, 1, 0}, PanelOverrides{1, 1, 0.4, 0},
                              PanelOverrides{1, 1, 1.3, 0}, PanelOverrides{1, 1, 1, -1}})
     EXPECT_FALSE(panel->set_overrides(bad));
 }

@@ -4,6 +4,7 @@
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { access_steps } from "./access_steps.mjs";
 import { browser, looks_at, must, until } from "./browser.mjs";
 import { convert_steps } from "./convert_steps.mjs";
 import { edit_steps } from "./edit_steps.mjs";
@@ -20,6 +21,9 @@ import { live_steps } from "./live_steps.mjs";
 import { figure_steps } from "./figure_steps.mjs";
 import { lathe_steps } from "./lathe_steps.mjs";
 import { list_steps } from "./list_steps.mjs";
+import { operator_day } from "./operator_day.mjs";
+import { operator_steps } from "./operator_steps.mjs";
+import { picture_steps } from "./picture_steps.mjs";
 import { server } from "./server.mjs";
 import { text_steps } from "./text_steps.mjs";
 
@@ -190,7 +194,7 @@ const alone = only || (wanted && wanted !== "view"); // no program is open when 
 const place = { kadr, page, pictures, examples, only: alone };
 // Each group runs alone, in a browser of its own (tests/page_in_browser.py), or all of them in this order. The build reads
 // this line: each name is a test.
-const group_names = ["view", "files", "text", "figures", "setup", "panel", "live", "making"];
+const group_names = ["view", "files", "text", "figures", "setup", "panel", "live", "making", "operator"];
 const groups = {
   view: { ...main_steps, ...rotary_steps({ kadr, page, pictures, only }) },
   files: file_steps(place),
@@ -203,6 +207,12 @@ const groups = {
     ...making_steps(place),
     ...convert_steps(place),
     ...finger_steps({ kadr, browser: page.context().browser(), pictures }),
+  },
+  operator: {
+    ...operator_steps(place),
+    ...access_steps(place),
+    ...picture_steps(place),
+    ...operator_day({ kadr, browser: page.context().browser(), pictures }),
   },
 };
 must(String(Object.keys(groups)) === String(group_names), "group_names does not name the groups");

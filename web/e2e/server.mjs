@@ -44,6 +44,20 @@ const our_own = {
     "M30",
     "%",
   ].join("\n"),
+  // For the operator's day: an M0 with its reason, long enough to be held.
+  "day.nc": [
+    "%",
+    "O0003 (OPERATORS DAY)",
+    "N10 G21 G90 G54 G17 G40 G49 G80",
+    "N20 T1 M6",
+    "N30 S2000 M3",
+    "N40 G0 X0 Y0 Z10.",
+    "N50 M0 (CLAMP THE PART)",
+    ...Array.from({ length: 12 }, (_, i) => `N${60 + 10 * i} G1 X${i % 2 ? 0 : 60}. Y${3 * i}. F1200.`),
+    "N180 G0 Z50.",
+    "N190 M30",
+    "%",
+  ].join("\n"),
   "zero.json": JSON.stringify({
     work_offsets: { G54: { X: -100, Y: -50, Z: -300 } },
     offsets: { 2: { radius: 8 }, 3: { length: 80 } },

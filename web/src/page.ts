@@ -203,6 +203,7 @@ operator_panel.restart.restart.on_change.on(() =>
   scene?.showWay(app.opened?.file === operator.name ? operator_panel.restart.restart.tips() : []),
 );
 operator.on_error.on((text) => toast(text, true));
+operator.on_queued.on(() => toast(t("op_queued")));
 operator.on_press.on(() => scene?.hush(until_shown));
 const machine_source = new MachineSource(app, operator, source);
 let was_on = false,

@@ -343,12 +343,13 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   // The tolerance of the corners between the chords by which a curve is replaced.
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;
   const double junction = now_.exact ? 0 : tolerance;
-  const bool dry = dry_feed_ > 0 && (motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline);
+  const bool dry = dry_feed_ > 0 && has_override(motion);
   const SpindleTurning any;  // A default spindle, because the dry-run feed does not depend on the spindle speed.
   const Pace pace(roles_, curve, motion, dry ? dry_feed_ : step.time.feed, rapid_, dry ? any : now_.spindle.turning());
   const int pieces = std::max(path.pieces(chord_of_tolerance * rounding), pace.pieces());
   MotionTime time = step.time;
   if (dry) time.seconds = 60 * pace.minutes(0, 1);
+  else if (has_override(motion)) time.seconds /= feed_factor_;
   const auto [length, speeds] = feeds(pace, path, time, pieces);
   if (on_motion) on_motion(number, length);
   Axes from = path.start();

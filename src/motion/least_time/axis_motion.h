@@ -79,6 +79,13 @@ class AxisMotion {
   void settle() { planner_.settle(); }
   /// Dry run: replaces all feeds except thread feeds by `feed`, mm/min. The value 0 restores the programmed feeds.
   void run_dry(double feed) { dry_feed_ = feed; }
+  /// Scales the feeds of the motions that are consumed from now on, 1: as programmed. Thread feeds and a dry run stay as they are. Limits
+  /// of the axes apply to the scaled feed.
+  void scale_feed(double factor) { feed_factor_ = factor; }
+  /// True if the feed of the motion can be scaled: not in rapid motion, probing, and thread cutting.
+  static bool has_override(const Motion& motion) {
+    return motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline;
+  }
 
   /// Sets the stop token that all long computations poll.
   void stop_by(StopToken stop);
@@ -156,8 +163,9 @@ class AxisMotion {
 
   AxisRoles roles_;
   double tolerance_;
-  double dry_feed_ = 0;  // feed of a dry run, mm/min; 0: the programmed feeds apply
-  Axes rapid_{};         // rapid rates of the axes, mm/min or degrees/min
+  double dry_feed_ = 0;     // feed of a dry run, mm/min; 0: the programmed feeds apply
+  double feed_factor_ = 1;  // factor of the programmed feeds, see scale_feed()
+  Axes rapid_{};            // rapid rates of the axes, mm/min or degrees/min
   Memory now_;
   Planner::Sink sink_;
   Planner planner_;

@@ -116,6 +116,7 @@ struct PageSession::Inside {
   Answer enter(const PageJson& question);
   Answer undo(const PageJson& question);
   Answer jog(const PageJson& question);
+  Answer jogging(const PageJson& question);
   Answer stops_at(const PageJson& question);
   Answer answer_to_machine(const PageJson& question);
   Answer watch(const PageJson& question);

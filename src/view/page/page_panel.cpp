@@ -1,5 +1,5 @@
 // Answers the requests about a machine at its operator panel: `machines`, `machine`, `panel`, `press`, `switches`, `enter`, `undo`, `jog`,
-// `stops`. Used by view/page/page_session; tested by tests/panel.py.
+// `jogging`, `stops`. Used by view/page/page_session; tested by tests/panel.py.
 
 #include <fmt/core.h>
 
@@ -20,7 +20,13 @@ constexpr std::size_t max_held = std::size_t{8} << 20;
 
 PageAnswer answer_of(const PanelMachine::Answer& answer) {
   if (!answer) return refused(answer.error());
+  if (*answer == PanelMachine::Outcome::queued) return PageJson{{"queued", true}};
   return PageJson::object();
+}
+
+bool is_true(const PageJson& question, const char* key) {
+  const auto found = question.find(key);
+  return found != question.end() && found->is_boolean() && found->get<bool>();
 }
 
 /// Returns the functions that save the events of a machine in the journal. When a line of the operator changes tables, these functions also
@@ -268,8 +274,18 @@ PageSession::Inside::Answer PageSession::Inside::undo(const PageJson&) {
 PageSession::Inside::Answer PageSession::Inside::jog(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
-  return answer_of((*machine)->jog(value_in<std::string>(question, "axis", ""), value_in<double>(question, "way", 0),
-                                   value_in<double>(question, "feed", 0), int(count_in(question, "channel", 0))));
+  const auto axis = value_in<std::string>(question, "axis", "");
+  const double way = value_in<double>(question, "way", 0), feed = value_in<double>(question, "feed", 0);
+  const int channel = int(count_in(question, "channel", 0));
+  if (is_true(question, "held")) return answer_of((*machine)->jog_while_held(axis, way, feed, channel));
+  return answer_of((*machine)->jog(axis, way, feed, channel));
+}
+
+/// The key that moves an axis is still held, or it has been released.
+PageSession::Inside::Answer PageSession::Inside::jogging(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  return PageJson{{"moves", (*machine)->keep_jogging(is_true(question, "on"))}};
 }
 
 /// Answers a question that the program on the machine has asked the operator.

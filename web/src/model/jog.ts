@@ -5,32 +5,71 @@ import type { Operator } from "./operator";
 export const renew_every = 100; // ms
 const most_waiting = 50; // steps
 
+interface Held {
+  axis: string;
+  way: 1 | -1;
+  feed: number;
+  channel: number;
+}
+
 export class HeldJog {
+  private held: Held | null = null; // the key that is held
+  private moves = false; // the machine has been told to move, or is being told
   private timer: ReturnType<typeof setInterval> | undefined;
 
-  constructor(private operator: Operator) {}
-
-  get moves(): boolean {
-    return this.timer !== undefined;
+  constructor(private operator: Operator) {
+    operator.on_panel.on(() => this.begin());
   }
 
-  /// Begins to move an axis; `feed` mm/min or degrees/min, 0: as fast as possible.
-  press(axis: string, sign: 1 | -1, feed: number, channel = 0): void {
+  /// True while the axes move because of a key, or a key is held.
+  get busy(): boolean {
+    return this.moves || this.held !== null;
+  }
+
+  /// Begins to move an axis; `feed` mm/min or degrees/min, 0: as fast as possible. If the axes still slow down after an
+  /// earlier key, it begins when they stand, if the key is still held then.
+  press(axis: string, way: 1 | -1, feed: number, channel = 0): void {
     this.release();
-    const renew = setInterval(() => void this.operator.ask("jogging", { on: true }, false), renew_every);
-    this.timer = renew;
-    const its = channel ? { channel } : {};
-    void this.operator.ask("jog", { axis, way: sign, feed, held: true, ...its }).then((answer) => {
-      if (!answer && this.timer === renew) this.end();
-    });
+    this.held = { axis, way, feed, channel };
+    this.begin();
   }
   /// The axis slows down and stops.
   release(): void {
-    if (!this.timer) return;
+    this.held = null;
+    if (this.timer === undefined) return;
     this.end();
     void this.operator.ask("jogging", { on: false });
   }
 
+  private begin(): void {
+    const p = this.operator.panel,
+      { held } = this;
+    if (this.timer !== undefined) return;
+    if (p && this.moves && p.mode !== "running") this.moves = false;
+    if (!held || !p || this.moves) return;
+    if (!p.holds || !["standing", "ended"].includes(p.mode)) {
+      this.held = null; // a program runs, or an alarm: a key that is held must not begin later
+      return;
+    }
+    const { axis, way, feed, channel } = held;
+    const timer = setInterval(() => void this.renew(timer), renew_every);
+    this.timer = timer;
+    this.moves = true;
+    void this.operator
+      .ask("jog", { axis, way, feed, held: true, ...(channel ? { channel } : {}) })
+      .then((answer) => answer ?? this.fail(timer));
+  }
+
+  private async renew(timer: typeof this.timer): Promise<void> {
+    const answer = await this.operator.ask("jogging", { on: true }, false);
+    if (!answer?.moves) this.fail(timer); // the end of the travel, a hold, a lost connection
+  }
+
+  private fail(timer: typeof this.timer): void {
+    if (this.timer !== timer) return;
+    this.held = null;
+    this.end();
+  }
   private end(): void {
     clearInterval(this.timer);
     this.timer = undefined;

@@ -31,6 +31,7 @@ export class Operator {
   readonly on_panel = new Signal<Panel | null>();
   readonly on_error = new Signal<string>();
   readonly on_stood = new Signal<void>(); // it has stopped
+  readonly on_queued = new Signal<void>(); // a request has begun, and takes long
   readonly on_press = new Signal<void>(); // a key is pressed: its effect must show at once
   private client: Client | null = null;
   private question: OpenQuestion | null = null;
@@ -75,7 +76,9 @@ export class Operator {
         if (what === "press") this.on_press.emit();
         void this.look();
       }
-      return await answer;
+      const done = await answer;
+      if ("queued" in done) this.on_queued.emit();
+      return done;
     } catch (e) {
       if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e));
       return null;

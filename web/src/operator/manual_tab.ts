@@ -5,12 +5,13 @@ import { HeldJog, StepJog } from "../model/jog";
 import { offset_code, set_zero } from "../model/machine_zero";
 import { remember, remembered } from "../model/memory";
 import type { Operator } from "../model/operator";
-import type { Axes, Panel, WayPoint } from "../protocol/types";
+import type { Axes, Panel } from "../protocol/types";
 import { t } from "../texts/texts";
 import { button, fill, h, option } from "../ui/dom";
 import { toast } from "../ui/toast";
 import { MdiLine } from "../ui/mdi_line";
 import { enable } from "./parts";
+import { go_home, go_to_zero, lead } from "./ways";
 import { Wheel } from "./wheel";
 
 export const steps = [0.001, 0.01, 0.1, 1, 10];
@@ -71,7 +72,7 @@ export class ManualTab {
       else fill(this.element, h("p", { class: "note" }, t("panel_off")));
     }
     // A held key keeps its axis moving: it must stay enabled meanwhile.
-    this.may = Boolean(p?.holds) && (["standing", "ended"].includes(p!.mode) || this.held.moves) && !p!.takes_tables;
+    this.may = Boolean(p?.holds) && (["standing", "ended"].includes(p!.mode) || this.held.busy) && !p!.takes_tables;
     for (const b of this.moves) enable(b, this.may);
     if (p) this.mdi.show(p);
   }
@@ -111,8 +112,8 @@ export class ManualTab {
           ? []
           : [
               this.act(t("op_zero_all"), () => void this.zero(this.operator.axes), t("op_zero_all_long")),
-              this.act(t("op_to_zero"), () => void this.to_zero(), t("op_to_zero_long"), true),
-              this.act(t("op_home"), () => void this.home(), t("op_home_long"), true),
+              this.act(t("op_to_zero"), () => void go_to_zero(this.operator, this.app), t("op_to_zero_long"), true),
+              this.act(t("op_home"), () => void go_home(this.operator), t("op_home_long"), true),
             ]),
       ),
       several ? null : this.wheel.draw(this.operator.axes),
@@ -173,7 +174,7 @@ export class ManualTab {
             this.act(t("op_zero"), () => void this.zero([k.axis]), t("op_zero_long", { axis: k.axis }), false, k.axis),
             this.act(
               "→ 0",
-              () => void this.lead([{ [k.axis]: 0 }]),
+              () => void lead(this.operator, [{ [k.axis]: 0 }]),
               t("op_axis_to_zero", { axis: k.axis }),
               true,
               k.axis,
@@ -219,41 +220,5 @@ export class ManualTab {
     const reads: Axes = Object.fromEntries(axes.map((a) => [a, 0]));
     if (!offset_code(this.operator)) return toast(t("op_no_zero"), true);
     await set_zero(this.operator, reads);
-  }
-
-  /// Moves along work coordinates, one motion after the other.
-  private async lead(way: Axes[]): Promise<void> {
-    const p = this.operator.panel;
-    if (!p) return;
-    const points: WayPoint[] = way.map((to) => ({
-      rapid: true,
-      feed: 0,
-      to: Object.fromEntries(Object.entries(to).map(([a, v]) => [a, v + (p.machine[a] ?? 0) - (p.position[a] ?? 0)])),
-    }));
-    await this.operator.ask("lead", { way: points });
-  }
-
-  /// Up over everything first, if there is a Z, then the other axes.
-  private async to_zero(): Promise<void> {
-    const p = this.operator.panel,
-      top = this.app.opened?.file === this.operator.name ? this.app.done?.extents.all?.[1][2] : undefined,
-      zero = this.app.done?.zero[2] ?? 0,
-      others = Object.fromEntries(this.operator.axes.filter((a) => a !== "Z").map((a) => [a, 0]));
-    if (!p) return;
-    const shift = (p.machine["Z"] ?? 0) - (p.position["Z"] ?? 0),
-      over = Math.max(p.position["Z"] ?? 0, top === undefined ? 0 : top + zero - shift);
-    await this.lead("Z" in p.position ? [{ Z: over }, others] : [others]);
-  }
-
-  /// To the zero of the machine: Z first.
-  private async home(): Promise<void> {
-    const all = (axes: string[]): WayPoint => ({
-        rapid: true,
-        feed: 0,
-        to: Object.fromEntries(axes.map((a) => [a, 0])),
-      }),
-      { axes } = this.operator,
-      way = axes.includes("Z") ? [all(["Z"]), all(axes.filter((a) => a !== "Z"))] : [all(axes)];
-    await this.operator.ask("lead", { way: way.filter((w) => Object.keys(w.to).length) });
   }
 }

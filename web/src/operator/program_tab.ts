@@ -16,6 +16,7 @@ export class ProgramTab {
   private borrowed: Record<View, Borrowed>;
   private view: View = remembered<View>("op_view", "op_path");
   private is_open = false;
+  private leaves = false; // the files are left when a program is opened
   private files_were_hidden = false;
 
   constructor(
@@ -32,15 +33,20 @@ export class ProgramTab {
     this.keys = views.map((v) => button("", () => this.choose(v), { "aria-pressed": false }));
     this.bar.append(...this.keys);
     this.element.append(this.bar, this.host);
+    this.host.addEventListener("click", (e) => {
+      if (e.target instanceof Element && e.target.closest(".file-row")) this.leaves = true;
+      else if (this.view === "op_files") this.leaves = false;
+    });
     app.on_opened.on(() => {
-      if (this.view === "op_files") this.choose("op_path");
+      if (this.view === "op_files" && this.leaves) this.choose(remembered<View>("op_view", "op_path"));
     });
     on_language(() => this.draw());
     this.draw();
   }
 
   /// Without a program the files are what is needed.
-  show_files(): void {
+  show_files(until_opened = false): void {
+    this.leaves = until_opened;
     this.choose("op_files");
   }
   show_text(): void {
@@ -62,6 +68,7 @@ export class ProgramTab {
 
   private choose(view: View): void {
     this.view = view;
+    if (view !== "op_files") this.leaves = false;
     if (view !== "op_files") remember("op_view", view);
     this.draw();
     if (this.is_open) dispatchEvent(new Event("resize"));

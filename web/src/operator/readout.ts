@@ -99,7 +99,8 @@ export class Readout {
         : []),
       ["V", `${feed(p.speed)} ${feed_unit()}`, t("op_speed")],
       ["%", `${Math.floor(100 * p.share * 1 + 1e-6)} %`, t("op_reached")],
-      ["S", `${now}${turning(p)}`, t("op_spindle")],
+      ["S", now, t("op_spindle")],
+      ["M", turning(p), t("op_turning")],
       ...(p.surface
         ? ([["V c", `${surface_figure(p.surface.speed)} ${surface_unit()}`, t("op_surface")]] as [
             string,
@@ -122,5 +123,5 @@ export class Readout {
 /// The code in force that turns the spindle or stops it.
 const turning = (p: Panel): string => {
   const code = p.modal.find((m) => /^M0?[345]$/.test(m.code))?.code.replace("M0", "M");
-  return code ? ` ${code}` : "";
+  return code ?? "–";
 };

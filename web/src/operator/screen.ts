@@ -9,6 +9,7 @@ import { button, h } from "../ui/dom";
 import { Tabs } from "../ui/layout";
 import { BigKeys } from "./big_keys";
 import { Blocks } from "./blocks";
+import { FullScreen } from "./full_screen";
 import { ManualTab } from "./manual_tab";
 import { MessagesTab } from "./messages_tab";
 import { Notice } from "./notice";
@@ -39,9 +40,10 @@ export class OperatorScreen {
   readonly overrides: OverrideRows;
   readonly manual: ManualTab;
   private mode = h("span", { class: "mode", role: "status" });
-  private name = h("b", { class: "file" });
+  private name = button("", () => this.to_files(), { class: "file" });
   private line = h("span", { class: "dim" });
   private off = h("p", { class: "screen-off" });
+  private full = new FullScreen();
   private readout: Readout;
   private blocks: Blocks;
   private notice: Notice;
@@ -99,6 +101,7 @@ export class OperatorScreen {
         this.name,
         this.line,
         h("span", { class: "grow" }),
+        this.full.element,
         this.help_button,
         this.leave_button,
       ),
@@ -132,18 +135,23 @@ export class OperatorScreen {
     this.banner.take(this.element);
     this.element.prepend(this.panes.banner);
     for (const tab of [this.program, this.tool, this.messages, this.restart]) tab.open();
-    if (!this.app.opened && !this.operator.panel) this.program.show_files();
+    if (!this.app.opened && !this.operator.panel) this.program.show_files(true);
     this.show(this.operator.panel);
     dispatchEvent(new Event("resize"));
   }
   close(): void {
     this.manual.release();
+    this.full.leave();
     this.element.hidden = true;
     this.banner.give_back();
     for (const tab of [this.program, this.tool, this.messages, this.restart]) tab.close();
     dispatchEvent(new Event("resize"));
   }
 
+  private to_files(): void {
+    this.choose("op_program");
+    this.program.show_files();
+  }
   private to_line(line: number): void {
     this.choose("op_program");
     this.program.show_text();
@@ -156,11 +164,12 @@ export class OperatorScreen {
     write(this.mode, p ? t(`mode_${p.mode}`) : t("op_off"));
     set(this.mode, "class", `mode ${mode}`);
     write(this.name, (this.operator.name ?? this.app.opened?.file ?? t("no_program")).replace(/.*\//, ""));
-    set(this.name, "title", this.operator.name ?? this.app.opened?.file ?? "");
+    set(this.name, "title", `${t("op_choose")}: ${this.operator.name ?? this.app.opened?.file ?? ""}`);
     write(this.line, p?.line ? t("line_n", { line: p.line }) : "");
     write(this.leave_button, t("op_leave"));
     set(this.leave_button, "title", t("op_leave_long"));
     for (const name of ["title", "aria-label"]) set(this.help_button, name, t("keys"));
+    this.full.draw();
     mark(this.element, "off", !p);
     write(this.off, p ? "" : t(this.app.opened ? "op_off_ready" : "op_off_long"));
     this.off.hidden = Boolean(p);

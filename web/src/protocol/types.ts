@@ -113,7 +113,7 @@ export interface Questions extends FileQuestions {
   enter: [{ line: string }, object];
   undo: [object, object];
   jog: [{ axis: string; way: number; feed?: number; channel?: number; held?: boolean }, object];
-  jogging: [{ on: boolean }, object];
+  jogging: [{ on: boolean }, { moves: boolean }];
   restart: [
     RestartPlace & { by_control?: boolean; clearance?: number; above?: number; feed?: number },
     RestartSheet | { ready: false },

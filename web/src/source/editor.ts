@@ -108,6 +108,7 @@ export function editor_view(
         phrases.of(phrases_now()),
         EditorState.readOnly.of(!app.opened?.editable),
         EditorView.contentAttributes.of({
+          tabindex: "0",
           "aria-label": t("source"),
           spellcheck: "false",
           autocapitalize: "characters",

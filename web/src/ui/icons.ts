@@ -22,6 +22,7 @@ const paths = {
   zoom_in: "M7 2.5a4.5 4.5 0 1 0 0 9 4.5 4.5 0 0 0 0-9ZM10.3 10.3 14 14M5 7h4M7 5v4",
   zoom_out: "M7 2.5a4.5 4.5 0 1 0 0 9 4.5 4.5 0 0 0 0-9ZM10.3 10.3 14 14M5 7h4",
   flip: "M3 5.5h9L9.5 3M13 10.5H4L6.5 13",
+  full: "M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4",
   less: "M10 3 5 8l5 5",
   more: "M6 3l5 5-5 5",
   alarm: "!M5 1h6l4 4v6l-4 4H5l-4-4V5ZM7 4v5h2V4ZM7 10.5v2h2v-2Z",

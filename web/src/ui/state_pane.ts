@@ -72,7 +72,7 @@ export class StatePane {
         h("span", { class: "grow" }),
         h("span", { class: "dim" }, t("left_time", { time: clock(s.left) })),
       ),
-      h("code", { class: "block-text" }, s.text ?? ""),
+      h("code", { class: "block-text", tabindex: "0" }, s.text ?? ""),
       this.pass(s),
     );
   }
