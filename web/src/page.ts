@@ -1,8 +1,10 @@
 // Assembles the page: one app, its panes, and their connections.
 import "uplot/dist/uPlot.min.css";
 import "./style/base.css";
+import "./style/dialogs.css";
 import "./style/panes.css";
 import "./style/scene_pane.css";
+import "./style/state.css";
 import "./style/files.css";
 import "./style/start.css";
 import "./style/lists.css";
@@ -43,7 +45,7 @@ import { show_help } from "./ui/help";
 import { listen_keys, step_mark } from "./ui/keys";
 import { MakingDialog } from "./ui/making";
 import { layout, next_pane, Tabs } from "./ui/layout";
-import { MachineSource } from "./ui/machine_source";
+import { follow_machine } from "./ui/machine_view";
 import { Operator } from "./model/operator";
 import { OperatorPanel } from "./ui/operator_panel";
 import { operator_screen } from "./operator/assemble";
@@ -64,10 +66,10 @@ import { offer_unsaved } from "./ui/unsaved";
 
 set_language(language());
 const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
-const app = new App(() => new WebSocket(address) as unknown as Socket);
+const socket = (): Socket => new WebSocket(address) as unknown as Socket;
+const app = new App(socket);
 const player = new Player(app);
-const until_shown = 120; // ms in which the effect of a key is shown before the view uses the browser's time
-const operator = new Operator(() => new WebSocket(address) as unknown as Socket);
+const operator = new Operator(socket);
 let shapes: Shape[] = [],
   stock: SceneBox[] = [],
   shown_file = "";
@@ -123,19 +125,15 @@ const tabs = new Tabs([
 ]);
 const files = new FilesDrawer(app, {
   from_drawing: (folder, drawing) => {
-    new MakingDialog(app, () => new WebSocket(address) as unknown as Socket, folder, drawing);
+    new MakingDialog(app, socket, folder, drawing);
   },
   to_tape: () => show_to_tape(app),
   from_tape: (folder) => show_from_tape(app, folder),
   convert: () => {
-    new ConvertDialog(
-      app,
-      () => new WebSocket(address) as unknown as Socket,
-      (line, file) => {
-        if (file === 0) source.show(line);
-        void go_to_line(line, file);
-      },
-    );
+    new ConvertDialog(app, socket, (line, file) => {
+      if (file === 0) source.show(line);
+      void go_to_line(line, file);
+    });
   },
 });
 const compared = { begin: () => scene?.clearPath(1), line: (n: number) => void go_to_line(n, 0) };
@@ -147,7 +145,7 @@ const top = new Topbar(app, {
   },
   sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
   edit: () => {
-    new EditDialog(app, () => new WebSocket(address) as unknown as Socket, {
+    new EditDialog(app, socket, {
       take: (text) => source.take(text),
       insert: (lines) => source.insert(lines),
       selected: () => source.selected(),
@@ -191,36 +189,11 @@ app.on_done.on(() => {
   scene?.endPath();
 });
 app.on_instant.on((at) => scene?.setInstant(at));
-app.on_state.on((s) => {
-  if (s) scene?.highlight(s.line, s.file ?? 0);
-});
+app.on_state.on((s) => s && scene?.highlight(s.line, s.file ?? 0));
 for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
-app.on_opened.on((o) => {
-  document.title = `${o.file} · Kadr`;
-});
+app.on_opened.on((o) => void (document.title = `${o.file} · Kadr`));
 app.on_error.on((text) => toast(text, true));
-operator_panel.restart.restart.on_change.on(() =>
-  scene?.showWay(app.opened?.file === operator.name ? operator_panel.restart.restart.tips() : []),
-);
-operator.on_error.on((text) => toast(text, true));
-operator.on_queued.on(() => toast(t("op_queued")));
-operator.on_press.on(() => scene?.hush(until_shown));
-const machine_source = new MachineSource(app, operator, source);
-let was_on = false,
-  panel_line = 0;
-operator.on_panel.on((p) => {
-  if (Boolean(p) !== was_on) {
-    was_on = Boolean(p);
-    tabs.draw();
-  }
-  const here = p && app.done && app.opened?.file === operator.name;
-  if (!here) return scene?.showMachine(null);
-  const at = (axis: string): number => (p.position[axis] ?? 0) + (p.zero[axis] ?? 0);
-  scene?.showMachine({ at: [at("X"), at("Y"), at("Z")], tool: p.tool ?? 0 });
-  if (p.line === panel_line || p.file !== 0 || !machine_source.same) return;
-  panel_line = p.line;
-  scene?.highlight(p.line, 0);
-});
+follow_machine(app, operator, operator_panel.restart.restart, source, scene, () => tabs.draw());
 
 /// Goes to the pass of a line that is nearest to the slider.
 async function go_to_line(line: number, file: number): Promise<void> {

@@ -1,6 +1,7 @@
 // Assembles a report: the page's viewer without a server, with its data inside the file.
 import "uplot/dist/uPlot.min.css";
 import "./style/base.css";
+import "./style/dialogs.css";
 import "./style/panes.css";
 import "./style/code.css";
 import "./style/print.css";

@@ -6,7 +6,7 @@ import type { Panel, PanelChannel } from "../protocol/types";
 import { t } from "../texts/texts";
 import { fill, h } from "./dom";
 import { axis_value, feed, length, short, surface_figure } from "./figures";
-import { turning_offset } from "./state_pane";
+import { turning_offset } from "./state_parts";
 
 /// The speed of the spindle: rev/min, and with constant surface speed also that speed and the limit of G50.
 function spindle_told(p: Panel): [string, string][] {
