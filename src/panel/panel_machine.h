@@ -272,7 +272,7 @@ class PanelMachine {
     std::function<Answer()> what;
     std::promise<Answer> answer;
     std::uint64_t number = 0;
-    // true if the caller was told that the request is queued; lock_ protects the value
+    // true if the caller has the answer that the request is queued; lock_ protects the value
     std::shared_ptr<bool> is_queued = std::make_shared<bool>(false);
   };
   enum class Wait : std::uint8_t { for_start, for_end };

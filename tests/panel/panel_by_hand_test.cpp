@@ -1,7 +1,8 @@
-// Axes that a held key moves, and overrides above 100 %.
+// Axes that a held key moves, overrides above 100 %, and requests that take long.
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -155,4 +156,26 @@ TEST(PanelByHand, AStopTellsItsLine) {
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.why == "M0" && s.mode == PanelMode::standing; }));
   EXPECT_EQ(panel->state().stop.number, 2U);
   EXPECT_EQ(panel->state().stop.text, "M0 (TURN THE PART)");
+}
+
+/// Reading the program takes long: the reset has begun, so it is neither refused nor done.
+TEST(PanelByHand, ARequestThatTakesLongIsQueuedAndThenDone) {
+  std::atomic<bool> is_slow{false};
+  PanelRecorder keeper;
+  keeper.begins = [&] {
+    if (is_slow) std::this_thread::sleep_for(6s);
+  };
+  const APanel panel(short_program, "mach3", {}, keeper);
+  const auto quick = panel->set_single(true);
+  ASSERT_TRUE(quick);
+  EXPECT_EQ(*quick, PanelMachine::Outcome::done);
+  ASSERT_TRUE(panel->jog("X", 5, 0));
+  ASSERT_TRUE(panel.stands(PanelMode::standing));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 2; }));
+  is_slow = true;
+  const auto reset = panel->reset();
+  ASSERT_TRUE(reset) << reset.error();
+  EXPECT_EQ(*reset, PanelMachine::Outcome::queued);
+  EXPECT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 1; }));
 }

@@ -1,6 +1,6 @@
 // Pictures of the operator's screen, compared with those of e2e/pictures, at which a person has looked. Means of small
 // squares are compared: another antialiasing changes none of them much, another text or place does.
-// PICTURES=new writes them anew: look at each, and put the date into e2e/pictures/README.md. Used by page.mjs.
+// PICTURES=new writes new ones: look at each, and put the date into e2e/pictures/README.md. Used by page.mjs.
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";

@@ -14,7 +14,7 @@ interface Held {
 
 export class HeldJog {
   private held: Held | null = null; // the key that is held
-  private moves = false; // the machine has been told to move, or is being told
+  private moves = false; // a request to move has been sent
   private timer: ReturnType<typeof setInterval> | undefined;
 
   constructor(private operator: Operator) {

@@ -1,4 +1,4 @@
-// Puts the operator's screen beside the page, and shows one of the two.
+// Puts the operator's screen next to the page, and shows one of the two.
 import type { App } from "../model/app";
 import type { Operator } from "../model/operator";
 import { listen_operator_keys } from "./keys";

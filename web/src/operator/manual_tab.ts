@@ -193,7 +193,7 @@ export class ManualTab {
     return b;
   }
 
-  /// By finger and mouse, and by Enter for whoever has only a keyboard.
+  /// By finger and mouse, and by Enter for a user who has only a keyboard.
   private listen(b: HTMLButtonElement, k: Key, sign: 1 | -1): void {
     const begin = (): void => {
       if (!this.may) return;

@@ -51,7 +51,7 @@ export class Notice {
     return said.filter((x): x is HTMLElement => x instanceof HTMLElement);
   }
 
-  /// The code that stopped the program, with the comment beside it.
+  /// The code that stopped the program, with its comment.
   private stop(p: Panel): string {
     if (!p.why || p.mode !== "standing") return "";
     if (p.why === "restart") return t("why_restart");
