@@ -9,7 +9,6 @@ const web = fileURLToPath(new URL("..", import.meta.url));
 const most = 250; // lines
 const longer = {
   "e2e/panel_steps.mjs": 400,
-  "src/operator/manual_tab.ts": 300,
   "src/scene/path_view.ts": 330,
   "src/style/operator_screen.css": 420,
   "src/ui/converting.ts": 345,
