@@ -6,6 +6,7 @@
 The cases state the new program as a person would write it. The properties run over every example program: its words are read by a reader of
 this file's own, so that they do not share an assumption with the editor. Prints a line per failure, then `N passed, N failed`.
 """
+import random
 import re
 import sys
 import tempfile
@@ -266,6 +267,56 @@ def check_maps(tally, kadr, every):
     print(f'{proven} of {possible} maps of examples are proven')
 
 
+HEADS = {'fanuc': '%\nO1\nG21 G90 G17 G54\nT1 M6\nS900 M3\n', 'haas': '%\nO00001\nG21 G90 G17 G54\nT1 M6\nS900 M3\n', 'linuxcnc': 'G21 G90 G17 G54\nS900 M3\n',
+         'mach3': 'G21 G90 G17 G54\nS900 M3\n', 'grbl': 'G21 G90 G17 G54\nS900 M3\n'}
+
+
+def random_contour(rng):
+    """Returns blocks of a closed contour of lines and half circles, absolute, with the position that leads to it first."""
+    at = start = (rng.randint(-90, 90) / 2, rng.randint(-90, 90) / 2)
+    lines = [f'G0 X{start[0]} Y{start[1]}', 'G0 Z5.', 'G1 Z-1. F60.']
+    for _ in range(rng.randint(2, 8)):
+        to = (rng.randint(-90, 90) / 2, rng.randint(-90, 90) / 2)
+        if to == at:
+            continue
+        if rng.random() < 0.4:
+            lines.append(f'G{rng.choice("23")} X{to[0]} Y{to[1]} I{(to[0] - at[0]) / 2} J{(to[1] - at[1]) / 2} F{rng.choice((80, 120))}.')
+        else:
+            lines.append(f'G1 X{to[0]} Y{to[1]} F{rng.choice((80, 120))}.')
+        at = to
+    if at != start:
+        lines.append(f'G1 X{start[0]} Y{start[1]} F90.')
+    return [*lines, 'G0 Z50.']
+
+
+def check_random(tally, kadr, count):
+    """Mirrored twice, turned four times, copied once or reversed twice, a random program is the old one. Each step is proven."""
+    rng = random.Random(20999)
+    for number in range(count):
+        control = rng.choice(sorted(HEADS))
+        contour = random_contour(rng)
+        moves = [f'G91 G1 X{rng.randint(1, 9)}. Y{rng.randint(1, 9)}. F70.', 'G90'] if rng.random() < 0.5 else []
+        text = HEADS[control] + '\n'.join([*contour, *moves, 'G0 Z60.', 'M30']) + '\n' + ('%\n' if HEADS[control].startswith('%') else '')
+        first = HEADS[control].count('\n') + 4
+        contour_lines = f'{first}-{first + len(contour) - 5}'
+        for options, times in ((['--mirror', f'X={rng.randint(-5, 5)}'], 2), (['--rotate', f'90@{rng.randint(-5, 5)},3'], 4), (['--copy', '1x1:10,10'], 1),
+                               (['--reverse', contour_lines], 2)):
+            now, faults = text, []
+            for _ in range(times):
+                done, made = edit(kadr, control, now, options)
+                if made is None:
+                    faults.append(f'{done.stderr}{now}')
+                    break
+                now = made
+            if not faults and options[0] == '--reverse':
+                kadr.file('a.nc', text), kadr.file('b.nc', now)
+                same = kadr.call('diff', 'a.nc', 'b.nc', '--control-a', control, '--control-b', control)
+                faults += [] if same.returncode == 0 else [f'{same.stdout}{text}{now}']
+            elif not faults and words(now) != words(text):
+                faults.append(f'{text}became\n{now}')
+            tally.judge(f'random program {number}, {control}: {" ".join(options)}, {times} times', faults)
+
+
 def main():
     parser = harness.arguments(__doc__)
     parser.add_argument('--every', type=int, default=1, help='every nth example only')
@@ -277,6 +328,7 @@ def main():
         check_cases(tally, kadr)
         check_examples(tally, kadr, options.every)
         check_maps(tally, kadr, options.every)
+        check_random(tally, kadr, 40 // options.every + 1)
     return tally.result()
 
 

@@ -62,19 +62,76 @@ export function edit_steps({ kadr, page, pictures }) {
     async "edit: refused with the line; a click shows it"() {
       if (!kadr.edits) return "skipped: the made-up session edits nothing";
       await choose("reverse");
-      await page.fill(".edit [name=from]", "4");
+      await page.fill(".edit [name=from]", "7");
       await page.fill(".edit [name=to]", "9");
-      await until("a refusal", async () => (await count(".edit-refused .link")) >= 1, 60_000);
+      await until("a refusal", async () => /Z-3/.test((await text(".edit-refused")) ?? ""), 60_000);
       must(await page.locator(".edit button.main").isDisabled(), "a refused edit can be taken over");
       await page.screenshot({ path: join(pictures, "edit_refused.png") });
       await page.locator(".edit-refused .link").first().click();
-      await page.keyboard.press("Escape");
-      await page
-        .locator("dialog.docked .dialog-head button")
-        .last()
-        .click()
-        .catch(() => undefined);
+      await page.locator("dialog.docked .dialog-head button").last().click();
       await until("it closes", async () => !(await count("dialog")));
+    },
+    async "edit: an arc by three points is written, read by the control, inserted"() {
+      if (!kadr.edits) return "skipped: the made-up session edits nothing";
+      await open_program(["docs", "two_tools.tap"]);
+      await page.locator(".source .cm-line", { hasText: "G40 X0 Y0" }).click();
+      await until("its state", async () => (await text(".block-text"))?.includes("G40 X0 Y0"));
+      await page.click(".topbar button:has-text('Edit program')");
+      await page.click("dialog .dialog-head button:has-text('Write blocks')");
+      await page.selectOption(".edit [name=blocks]", "arc");
+      const figures = { from_x: "0", from_y: "0", through_x: "10", through_y: "10", to_x: "20", to_y: "0" };
+      for (const [name, value] of Object.entries(figures)) await page.fill(`.edit [name=${name}]`, value);
+      await until("the control has read it", async () => (await count(".edit-told .good")) === 1, 60_000);
+      must(/G2 .*I10/.test((await text(".edit .block-text")) ?? ""), `written: ${await text(".edit .block-text")}`);
+      await page.screenshot({ path: join(pictures, "edit_blocks.png") });
+      await page.click(".edit button.main");
+      await until("the arc in the program", async () => /G2 .*I10/.test(await content()));
+      await page.keyboard.press("Control+z");
+      await until("the program without it", async () => !/I10/.test(await content()));
+    },
+    async "a programmer's day: an error found and mended, feeds, a mirror image, compared, saved"() {
+      if (!kadr.edits) return "skipped: the made-up session edits nothing";
+      const began = Date.now();
+      let hands = 0;
+      const click = async (what) => {
+        hands++;
+        await (typeof what === "string" ? page.click(what) : what.click());
+      };
+      const type = async (name, value) => {
+        hands++;
+        await page.fill(`.edit [name=${name}]`, value);
+      };
+      const edit = async (name) => {
+        hands += 2; // the button, the choice
+        await page.click(".topbar button:has-text('Edit program')");
+        await choose(name);
+      };
+      await open_program(["docs", "two_tools.tap"]);
+      hands += 2; // the folder, the file
+      await click(page.locator(".source .cm-line", { hasText: "X20 F600" }));
+      await page.keyboard.press("Home");
+      await page.keyboard.type("G777 ");
+      hands++;
+      await until("the problem", async () => /G777/.test((await text(".problems")) ?? ""), 60_000);
+      for (let i = 0; i < 5; i++) await page.keyboard.press("Backspace");
+      hands++;
+      await until("no problem", async () => !/G777/.test((await text(".problems")) ?? ""), 60_000);
+      await edit("feed");
+      await type("percent", "80");
+      await page.selectOption(".edit [name=tool]", "1");
+      hands++;
+      await until("80 %", async () => /F480/.test((await text(".edit .merge")) ?? ""), 60_000);
+      await click(".edit button.main");
+      await edit("mirror");
+      await until("the image", async () => /G42/.test((await text(".edit .merge")) ?? ""), 60_000);
+      await click(".edit button:has-text('Show both paths')");
+      await click(".edit button.main");
+      await until("both edits", async () => /F480/.test(await content()) && /G42/.test(await content()));
+      await page.keyboard.press("Control+s");
+      hands++;
+      await until("saved", async () => !(await count(".source .dirty")));
+      must(/G42/.test(kadr.got(join("docs", "two_tools.tap"))), "the file on the disk is the old one");
+      return `${hands} clicks and entries, ${((Date.now() - began) / 1000).toFixed(1)} s`;
     },
   };
 }

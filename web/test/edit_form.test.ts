@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { blocks_question, holes_of, motion_at, with_lines } from "../src/editing/blocks_form";
 import { edit_question, edits, figure_of, words_of, wrong_field, type EditName } from "../src/editing/edit_form";
 
 describe("the words of an edit", () => {
@@ -56,4 +57,46 @@ it("asks with the text of the editor and the choices of the program", () => {
   });
   expect(edit_question(app, null)).toBeNull();
   expect(edit_question({ ...app, text: null }, { mirror: "X=0" })).toBeNull();
+});
+
+describe("written blocks", () => {
+  it("ask with all figures, or not at all", () => {
+    const cycle = {
+      code: "G83",
+      title: "",
+      words: [
+        { letter: "Z", needed: true },
+        { letter: "P", needed: false },
+      ],
+    };
+    const values = { Z: "-5", holes: "1 2\nX3 Y4,5\n" };
+    expect(blocks_question("cycle", values, cycle, "mm")).toEqual({
+      what: "cycle",
+      code: "G83",
+      retract: "",
+      values: { Z: -5 },
+      holes: [
+        [1, 2],
+        [3, 4.5],
+      ],
+      unit: "mm",
+    });
+    expect(blocks_question("cycle", { ...values, Z: "" }, cycle, "mm")).toBeNull();
+    expect(blocks_question("cycle", { ...values, P: "x" }, cycle, "mm")).toBeNull();
+    expect(blocks_question("arc", { from_x: "0", from_y: "0" }, undefined, "mm")).toBeNull();
+    expect(holes_of("1 2 3")).toBeNull();
+    expect(holes_of("")).toBeNull();
+  });
+  it("stand after their line, and put the motion code in force again", () => {
+    expect(with_lines("a\nb\n", 1, ["x", "y"])).toBe("a\nx\ny\nb\n");
+    const modal = [{ group: "1", code: "G0" }] as Parameters<typeof motion_at>[0] extends infer S
+      ? S extends { modal: infer M }
+        ? M
+        : never
+      : never;
+    expect(motion_at({ line: 5, modal }, 5)).toBe("G0");
+    expect(motion_at({ line: 5, modal }, 6)).toBeNull();
+    expect(motion_at({ line: 5, file: 1, modal }, 5)).toBeNull();
+    expect(motion_at(null, 5)).toBeNull();
+  });
 });

@@ -8,7 +8,7 @@ import { t, type TextKey } from "../texts/texts";
 import { open_dialog } from "../ui/dialog";
 import { button, fill, h, option } from "../ui/dom";
 import { toast } from "../ui/toast";
-import { blocks_question, kinds, with_lines, type BlocksKind, type BlocksValues } from "./blocks_form";
+import { blocks_question, kinds, motion_at, with_lines, type BlocksKind, type BlocksValues } from "./blocks_form";
 import { sketch } from "./blocks_sketch";
 
 const pause = 300; // ms after the last key before the blocks are written again
@@ -205,9 +205,11 @@ export class BlocksDialog {
     this.lines = [];
     let told: HTMLElement[] = [h("p", { class: "note" }, t("blocks_fill_in"))],
       lines: string[] = [];
-    if (question && app.text !== null && this.dialog.open)
+    const motion = motion_at(app.state, this.verbs.selected()?.to ?? 0);
+    if (question && motion === null) told = [h("p", { class: "hint error" }, t("blocks_no_line"))];
+    else if (question && app.text !== null && this.dialog.open)
       try {
-        lines = (await app.client.ask("write_blocks", question)).lines;
+        lines = [...(await app.client.ask("write_blocks", question)).lines, motion!];
         const faults = await this.faults(lines);
         told = faults.length
           ? [h("p", { class: "hint error" }, t("blocks_refused")), ...faults.map((p) => h("p", null, p.text))]

@@ -1,5 +1,5 @@
 // The blocks that the page can write from figures: the fields of each kind, and the question that they make.
-import type { BlocksQuestion, CycleRow, Point } from "../protocol/types";
+import type { BlocksQuestion, CycleRow, Point, State } from "../protocol/types";
 import { figure_of } from "./edit_form";
 
 export type BlocksKind = "cycle" | "arc" | "corner";
@@ -66,4 +66,11 @@ export function with_lines(text: string, after: number, lines: string[]): string
   const all = text.split("\n");
   all.splice(after, 0, ...lines);
   return all.join("\n");
+}
+
+/// The motion code in force after a line, which the blocks put in force again: the lines after them may rely on it; null if
+/// the state is of another line, or the code in force is no line.
+export function motion_at(state: Pick<State, "line" | "file" | "modal"> | null, line: number): string | null {
+  if (!state || state.line !== line || (state.file ?? 0) !== 0) return null;
+  return state.modal.map((m) => m.code).find((code) => /^G0?[01]$/.test(code)) ?? null;
 }

@@ -93,4 +93,6 @@ export const edit_en = {
   blocks_fill_in: "Fill in the fields: the blocks appear here.",
   blocks_refused: "The control refuses the program with these blocks:",
   blocks_right: "The control reads the program with these blocks without a new alarm.",
+  blocks_no_line:
+    "Click the line first after which the blocks are to stand, a line with G0 or G1 in force: they put that code in force again at their end.",
 };
