@@ -11,7 +11,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 
 
-CONTROLS = ("nct", "linuxcnc", "fanuc", "haas", "haas-st", "mach3", "grbl")
+CONTROLS = ("nct", "linuxcnc", "fanuc", "haas", "haas-st", "mach3", "grbl", "sinumerik")
 
 
 def open_cases(control):

@@ -61,6 +61,11 @@ CASES = [
     ('%O0305\nN1 G54 G95 T0101\nN2 G96 S150 M3\nN3 G0 X50 Z2\nN4 G71.7 U2 R1\nN5 G71.7 P10 Q20 U0.4 W0.1 F0.2\nN10 G0 X20\nN20 G1 Z-30\nN21 M30\n',
      'looks like nct'),
     ('%012 LF\nN001 G96 S100 T0101 M03 LF\nN002 G00 X+40. Z+2. LF\nN003 G33 Z-20. K1.5 LF\nN005 M02 LF\n', 'perhaps gost: a weak guess'),
+    ('R1=0\nLOOP:\nR1=R1+1\nG1 X=R1 F200\nIF R1<5 GOTOB LOOP\nM2\n', 'looks like sinumerik (line 1: R1='),
+    ('N10 G18 G71 G95\nN20 DIAMON\nN30 LIMS=2500\nN40 T1 D1\nN50 G96 S180 M3\nN60 G0 X52 Z2\nN70 G1 X48 F0.2\nN80 Z-30\nN90 M30\n',
+     'looks like sinumerik (line 2: DIAMON'),
+    ('; plate, side 1\nN10 G17 G54 G71 G90\nN20 T="MILL12"\nN30 M6\nN40 S2500 M3\nN50 G0 X=R1 Y0 Z5\nN60 CYCLE81(5,0,2,-12)\nN70 G2 X20 Y0 CR=10\nN80 M30\n',
+     'looks like sinumerik (line 3: T="'),
     ('%\nO0001\nN10 G0 X1.\n#1=5\nWHILE [#1 GT 0] DO1\n#1=#1-1\nEND1\nM30\n%\n', 'perhaps fanuc: a weak guess'),
 ]
 
@@ -154,8 +159,7 @@ COMMANDS = [
 # A file of tests/guess_cases and the expected message.
 UNKNOWN = {
     'heidenhain.h.txt': 'Heidenhain, line 1: BEGINPGM', 'heidenhain-lines.txt': 'Heidenhain, line 1: LX+20',
-    'sinumerik.mpf.txt': 'Sinumerik, line 3: T="', 'sinumerik-jump.txt': 'Sinumerik, line 1: R1=',
-    'denford.txt': 'Denford (lathes for schools), line 1: [BILLET', 'sinumerik-lathe.txt': 'Sinumerik, line 2: DIAMON',
+    'denford.txt': 'Denford (lathes for schools), line 1: [BILLET',
     'okuma.min.txt': 'Okuma, line 2: G15H1', 'okuma-call.txt': 'Okuma, line 2: MODIN', 'sheet.txt': 'few lines are blocks',
 }
 

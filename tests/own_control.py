@@ -30,7 +30,7 @@ REFUSED = [
     ("mach3", '[g]\n"200" = { does = "speed_word", group = "1" }\n', ["own.toml:5: ", "G200", "'speed_word'", "[address]"]),
     ("mach3", '[defaults]\nend = ["M2"]\n', ["own.toml:5: ", "M2", "no mode"]),
     ("mach3", '[cycle.G200]\nsteps = ["peck_full", "retract"]\nneeds = "ZR"\n[g]\n"200" = { does = "cycle", takes = "XYZRQ" }\n', ["own.toml:6: ", "G200", "Q"]),
-    ("gost", '[g]\n"54" = { arg = 900 }\n', ["own.toml:5: ", "G54", "'work_zero'", "0 to 9"]),
+    ("gost", '[g]\n"54" = { arg = 900 }\n', ["own.toml:5: ", "G54", "'work_zero'", "0 to 99"]),
     ("mach3", '[axes]\nnames = ["X", "Y", "Z", "A", "B", "C", "U"]\n', ["own.toml:5: ", "axis U", "[address]"]),
     ("gost", "".join(f"[groups.own{i}]\n" for i in range(60)), ["own.toml:", "groups"]),
     # Combinations of settings that the engine does not support.

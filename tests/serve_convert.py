@@ -120,7 +120,7 @@ def wishes(page, folder):
 
 
 def refused(page, folder):
-    for name, more in {'beyond the folder': {'file': '../outside.nc'}, 'an absolute one': {'file': '/etc/passwd'}, 'a link': {'file': 'link.nc'}, 'none': {'file': 'nothing.nc'}, 'no file': {'file': ''}, 'a folder': {'file': 'sub'}, 'no such control': {'to': 'sinumerik'},
+    for name, more in {'beyond the folder': {'file': '../outside.nc'}, 'an absolute one': {'file': '/etc/passwd'}, 'a link': {'file': 'link.nc'}, 'none': {'file': 'nothing.nc'}, 'no file': {'file': ''}, 'a folder': {'file': 'sub'}, 'no such control': {'to': 'okuma'},
                        'a control beyond the folder': {'to': '../own.toml'}, 'no control': {'to': ''}, 'a set-up beyond': {'setup': '../outside.json'}, 'an encoding': {'encoding': 'klingon'}, 'tables': {'tables': {'nothing': 1}}, 'a file that is no control': {'to': 'bad.toml'}}.items():
         answer = page.ask('convert', **{**FLANGE, **more})
         expect(answer.get('error', {}).get('text'), f'{name}: refused: {str(answer)[:200]}')

@@ -63,7 +63,7 @@ def same_as_the_command(kadr, page, folder):
 def refused(page):
     for name, more in {
         'beyond the folder': {'drawing': '../outside.txt'}, 'an absolute one': {'drawing': '/etc/passwd'}, 'a link': {'drawing': 'link.txt'}, 'hidden': {'drawing': '.hidden.txt'}, 'none': {'drawing': 'nothing.txt'}, 'a folder': {'drawing': 'sub'},
-        'no such control': {'control': 'sinumerik'}, 'a control beyond the folder': {'control': '../own.toml'}, 'no control': {'control': ''},
+        'no such control': {'control': 'okuma'}, 'a control beyond the folder': {'control': '../own.toml'}, 'no control': {'control': ''},
     }.items():
         expect(page.ask('mill', **{**COVER, **more}).get('error'), f'{name}: refused')
     for name, more in {'a text for a number': {'depth': '8'}, 'null': {'feed': None}, 'a misspelt word': {'plunge-feed': 5}, 'a task': {'task': 'drill'}, 'a half tool': {'tool': 1.5}, 'a tool below zero': {'tool': -1}, 'a tool too great': {'tool': 2**32},

@@ -139,6 +139,13 @@
   X(sub_in_sub) X(machine_move_with_offset) X(probe_unstated) \
   /* alarms of block search, end-position switches, gantry axes (nct 13.1, 20.6, 22.1) */    \
   X(search_not_reached) X(search_forgets) X(switch_positive) X(switch_negative) X(gantry_apart) \
+  /* alarms of a control with names, types and procedures (spec/sinumerik 18) */             \
+  X(name_unknown) X(name_defined_twice) X(label_missing) X(section_missing) X(structure_wrong) X(structure_open) X(structure_deep) \
+  X(operand_type) X(comparison_chained) X(conversion_impossible) X(text_not_number) X(index_range) X(arguments_too_many) \
+  X(argument_type) X(argument_reference) X(definition_late) X(parameters_without_proc) X(skip_level_wrong) X(passes_wrong) \
+  X(arc_two_ways) X(arc_opening_angle) X(arc_through_point) X(arc_turns) X(polar_with_axes) X(polar_radius_negative) \
+  X(frame_component) X(edge_missing) X(cycle_reference_plane) X(cycle_first_depth) X(cycle_direction) X(cycle_lead) \
+  X(pattern_empty) \
   /* advice of the checklist, which is Kadr's own (docs/checklist.md) */                     \
   X(point_forgotten) X(length_of_other) X(radius_of_other) X(length_not_called) X(feed_too_small) X(feed_too_large) \
   X(feed_per_tooth) X(tap_feed) X(cut_without_spindle) X(direction_of_others) X(coolant_forgotten) X(hole_lost) X(hole_twice) \

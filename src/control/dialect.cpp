@@ -96,6 +96,7 @@ std::unique_ptr<Dialect> make_dialect(BlockContext& m, const Setup& setup, const
     case DialectId::linuxcnc: return make_linuxcnc_dialect(m, setup, limits);
     case DialectId::nct: return make_nct_dialect(m, setup, limits, std::move(commons));
     case DialectId::mach3: return make_mach3_dialect(limits);
+    case DialectId::sinumerik: return make_sinumerik_dialect(m, setup, limits);
     case DialectId::iso: break;
   }
   return make_iso_dialect();

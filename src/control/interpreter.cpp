@@ -105,7 +105,7 @@ std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::G
     block->warnings.clear();  // a block that a loop executes again must not report its warnings again
   }
   if (got && block->skip != 0 && asks_to_skip()) return Control::State::running;
-  if (!got && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return std::nullopt;
+  if (!got && dialect->skips_unread() && block->skip != 0 && skip_switches[block->skip % skip_switches.size()]) return std::nullopt;
   if (got) {
     take_block();
     skips_it.reset();
@@ -282,7 +282,7 @@ Status Interpreter::execute_block() {
   }
   if (block->skip != 0) {
     pass_varies = true;
-    use.note(UseKind::skip_switch, block->skip, origin);
+    use.note(UseKind::skip_switch, block->skip % 10U, origin);
     dialect->note_skip_mark(*this);
     if (is_skipped()) return {};
   }

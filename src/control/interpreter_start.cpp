@@ -77,6 +77,8 @@ void Interpreter::read_setup(const Setup& setup) {
   probe_stated = !setup.probe.empty() || setup.probe_hole.has_value();
   tables.offsets.resize(def.behaviour.offsets + 1);
   tables.correctors.resize(def.behaviour.offsets + 1);
+  for (const CodeRow& row : def.codes)
+    if (row.function == Function::work_zero) tables.zeros.resize(std::max(tables.zeros.size(), static_cast<std::size_t>(row.arg) + 1));
   check_setup(setup);
   for (const auto& [number, offset] : setup.offsets)
     if (number >= 0 && static_cast<std::size_t>(number) < tables.offsets.size()) tables.offsets[static_cast<std::size_t>(number)] = offset;

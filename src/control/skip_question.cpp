@@ -18,7 +18,7 @@ bool Interpreter::asks_to_skip() {
 }
 
 bool Interpreter::is_skipped() const {
-  return block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)] && skips_it.value_or(true);
+  return block->skip != 0 && skip_switches[block->skip % skip_switches.size()] && skips_it.value_or(true);
 }
 
 }  // namespace kadr

@@ -25,7 +25,7 @@ struct ArgRow {
   int least, most;
 };
 constexpr ArgRow args[] = {
-    {Function::work_zero, 0, 9},
+    {Function::work_zero, 0, 99},
     {Function::fixture, 1, 1000},
     {Function::home_through, 1, 2},
     {Function::circular_pocket, 2, 3},

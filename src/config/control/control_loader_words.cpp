@@ -51,6 +51,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"ports_without_number", &Grammar::ports_without_number},
     {"programs_by_label", &Grammar::programs_by_label},
     {"rounds_in_address", &Grammar::rounds_in_address},
+    {"named_blocks", &Grammar::named_blocks},
 };
 
 }  // namespace

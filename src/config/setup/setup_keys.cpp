@@ -118,7 +118,7 @@ constexpr SetupKey keys[] = {
   {"parameters", F::table, N::parameter, any, U::none, null, H::parameters, "", R"({"N1501": 0.5, "N0306#0": 1})", "", keys_tables::parameters},
   {"parameters.*", F::number_or_text, N::fixed, any, U::none, stated, H::parameters, "", "0.5", "", keys_tables::parameters_row},
 
-  {"skip", F::wholes, N::fixed, {1, 9}, U::none, stated, H::nothing, "", "[1]", "", keys_start::skip},
+  {"skip", F::wholes, N::fixed, {0, 9}, U::none, stated, H::nothing, "", "[1]", "", keys_start::skip},
   {"skip_answers", F::texts, N::any, any, U::none, stated, H::skip_question, "yes no", R"(["yes", "no"])", "", keys_start::skip_answers},
   {"disable", F::texts, N::any, any, U::none, stated, H::nothing, "", R"(["word_passed_over"])", "", keys_start::disable},
   {"optional_stop", F::flag, N::fixed, any, U::none, stated, H::nothing, "", "true", "", keys_start::optional_stop},

@@ -39,6 +39,12 @@ bool names_macro_variable(std::string_view name) {
 
 bool names_formal_parameter(std::string_view name) { return name.size() == 2 && name[0] == 'R' && is_digit(name[1]); }
 
+/// Returns true for a variable of a control with named blocks: #R10, #COUNT, the name as the program writes it.
+bool names_own_variable(std::string_view name) {
+  const auto fits = [](char c) { return is_digit(c) || is_letter(c) || c == '_'; };
+  return name.size() > 2 && name[0] == '#' && !is_digit(name[1]) && std::all_of(name.begin() + 1, name.end(), fits);
+}
+
 /// Returns true if the name has the form of a magazine pocket, magazine/pocket: "10/1".
 bool names_pocket(std::string_view name) {
   constexpr std::size_t max_digits = 9;
@@ -61,7 +67,7 @@ bool is_like_work_offset(std::string_view name) {
 /// Returns true if the control numbers its work offsets in an order other than that of their codes: on the 2С42, G55 is zero 3.
 bool numbers_zeros_itself(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) {
-    return row.function == Function::work_zero && row.arg > 0 && row.arg != row.tenth / 10 - first_system / 10 + 1;
+    return row.function == Function::work_zero && row.arg > 0 && row.tenth <= last_system && row.arg != row.tenth / 10 - first_system / 10 + 1;
   });
 }
 
@@ -84,7 +90,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
              !numbers_zeros_itself(def);
     case SetupNeeds::zeros: return numbers_zeros_itself(def);
     case SetupNeeds::correctors: return def.has_correctors();
-    case SetupNeeds::variables: return def.grammar.variables > 0 || def.grammar.parameter_address != 0;
+    case SetupNeeds::variables: return def.grammar.variables > 0 || def.grammar.parameter_address != 0 || def.grammar.named_blocks;
     case SetupNeeds::parameters: return !def.parameters.empty();
     case SetupNeeds::corner_radius: return has_variable(def, VariableKind::offset_corner);
     case SetupNeeds::turning_lengths: return has_variable(def, VariableKind::offset_x) || def.has_parameter_file();
@@ -111,7 +117,9 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
   for (const CodeRow& row : def.codes) {
     const bool usual = row.tenth >= first_system && row.tenth <= last_system;
     // G110 of the Haas is not between G54 and G59.3, but it has Function::work_system, so the condition includes it.
-    if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;
+    // G505 to G599 of the Sinumerik are beyond G59.3 too.
+    const bool further = row.function == Function::work_system || row.function == Function::work_zero;
+    if (row.letter != 'G' || row.arg <= 0 || !(usual || further)) continue;
     const bool is_plain = row.function == Function::work_zero || row.function == Function::fixture ||
                           row.function == Function::work_system || row.function == Function::table_system;
     if (!is_plain) continue;
@@ -181,6 +189,7 @@ bool SetupNamesOf::allows(SetupNames kind, std::string_view name) const {
       if (def_ == nullptr) return kind == SetupNames::axis_or_plane || is_like_work_offset(name);
       return among(all(kind));
     case SetupNames::variable: {
+      if (def_ != nullptr && def_->grammar.named_blocks) return names_own_variable(name);
       const bool macro = def_ == nullptr || def_->grammar.variables > 0;
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
       if (!(macro && names_macro_variable(name)) && !(formal && names_formal_parameter(name))) return false;
@@ -309,8 +318,8 @@ std::optional<std::string> SetupNamesOf::parameter_fault(std::string_view name, 
 }
 
 SetupRange SetupNamesOf::range(const SetupKey& row) const {
-  const bool one_switch = row.path == "skip" && def_ != nullptr && !def_->grammar.skip_levels;
-  return one_switch ? SetupRange{1, 1} : row.range;
+  if (row.path != "skip" || def_ == nullptr || def_->grammar.named_blocks) return row.range;  // `/` is switch 0 of the Sinumerik
+  return def_->grammar.skip_levels ? SetupRange{1, 9} : SetupRange{1, 1};
 }
 
 }  // namespace kadr

@@ -13,6 +13,7 @@
 #include "lang/block/statement_reader.h"
 #include "lang/block/word_reader.h"
 #include "lang/expression/expression.h"
+#include "lang/named/named_reader.h"
 #include "lang/text/encoding.h"
 #include "lang/text/wide.h"
 
@@ -132,7 +133,7 @@ class Lexer {
       case '<': return grammar_.file_names ? file_name() : unexpected();
       case ':': return grammar_.colon_is_label ? word_of(grammar_.label_address, 1, cursor_.at) : main_block();
       case '[': return statements_.bracket();
-      case '\x1a': return end_of_dos_file();
+      case '\x1a': return passes_dos_end(cursor_) ? Status() : unexpected();  // Ctrl-Z ends a file on old systems
       case ']':
       case '=': return grammar_.has_statements() ? out_of_place(c) : unexpected();
       default: break;
@@ -342,8 +343,6 @@ class Lexer {
     return {};
   }
 
-  /// Accepts Ctrl-Z, which is the end of a file on old systems.
-  Status end_of_dos_file() { return passes_dos_end(cursor_) ? Status() : unexpected(); }
   Status unexpected() const { return fail(unexpected_at(cursor_.text, cursor_.at)); }
 
   /// Returns the alarm for a surplus `]` (nct 23.2.6), or for `=` after a name that the channel does not have, as in Z2=5 (nct 2.2).
@@ -394,6 +393,7 @@ class Lexer {
 }  // namespace
 
 Result<Lexed> lex_block(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block) {
+  if (grammar.named_blocks) return lex_named_line(text, from, is_utf8, block);
   return Lexer(text, from, is_utf8, grammar, block).run();
 }
 

@@ -20,6 +20,9 @@ bool looks_like_words(const AddressName& name) {
   return std::any_of(name.text.begin(), name.text.end() - 1, is_digit) && !is_digit(name.text.back());
 }
 
+/// Addresses of the blocks that need no lang/named: motions with their feed and speed. T, D, H, L, P, R depend on the control's state.
+constexpr std::string_view letters_of_plain_named_blocks = "ABCFGIJKMNSUVWXYZ";
+
 }  // namespace
 
 /// An unsigned number as written: its digits and the decimal point.
@@ -44,6 +47,7 @@ PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
     Kind kind = letter == 'N' ? Kind::block_number : Kind::word;
     if (!format.known || (format.code && format.implied) || letter == grammar.label_address || letter == grammar.parameter_address)
       kind = Kind::other;
+    if (grammar.named_blocks && letters_of_plain_named_blocks.find(letter) == std::string_view::npos) kind = Kind::other;
     for (const AddressName& name : grammar.names)
       if (name.text.front() == letter && looks_like_words(name)) kind = Kind::other;
     kinds_[static_cast<unsigned char>(letter)] = kind;

@@ -21,11 +21,11 @@ constexpr std::array<std::string_view, 32> romanized = {"A", "B",  "V",  "G",   
 constexpr char32_t capital_a = U'А', small_a = U'а', capital_yo = U'Ё', small_yo = U'ё';
 constexpr char32_t first_high = 0x80;
 
-struct Alike {
+struct LettersAlike {
   char32_t code;
   std::string_view text;
 };
-constexpr Alike alike_signs[] = {{U'«', "\""},   {U'»', "\""}, {U'“', "\""}, {U'”', "\""},  {U'„', "\""},    {U'’', "'"},
+constexpr LettersAlike alike_signs[] = {{U'«', "\""},   {U'»', "\""}, {U'“', "\""}, {U'”', "\""},  {U'„', "\""},    {U'’', "'"},
                                  {U'–', "-"},    {U'—', "-"},  {U'−', "-"},  {U'…', "..."}, {U'×', "x"},     {U'·', "."},
                                  {U'°', " deg"}, {U'±', "+-"}, {U'№', "N"},  {U'Ø', "D"},   {U'ø', "d"},     {U'⌀', "D"},
                                  {U'→', "->"},   {U'²', "2"},  {U'³', "3"},  {U'µ', "u"},   {U'\u00a0', " "}};
@@ -58,7 +58,7 @@ std::vector<std::string> alike(char32_t code) {
     const std::string_view text = romanized[code - small_a];
     return {utf8_text(capital), small(text), std::string(text)};
   }
-  for (const Alike& sign : alike_signs)
+  for (const LettersAlike& sign : alike_signs)
     if (sign.code == code) return {std::string(sign.text), " "};
   return {"?", " "};
 }

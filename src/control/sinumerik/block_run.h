@@ -1,0 +1,93 @@
+#pragma once
+// BlockRun: executes the items of one block with names (spec/sinumerik 2, 3, 5, 12). Only src/control/sinumerik includes this file.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "control/sinumerik/sinumerik.h"
+
+namespace kadr::sinumerik {
+
+template <std::size_t n>
+bool among(const std::string_view (&list)[n], std::string_view name) {
+  return std::find(std::begin(list), std::end(list), name) != std::end(list);
+}
+
+/// Returns true for a name of the control that Kadr does not execute.
+bool is_refused_name(std::string_view name);
+
+class BlockRun {
+ public:
+  BlockRun(Interpreter& m, Sinumerik& own, const NamedBlock& read) : m_(m), own_(own), read_(read), block_(*m.block) {}
+
+  /// Returns true if nothing of the block is left to execute.
+  Result<bool> run();
+
+ private:
+  static Result<bool> done(const Status& status) {
+    if (!status) return fail(status.error());
+    return true;
+  }
+
+  /// Executes an item. Returns false if the rest of the block is not executed: a jump was made.
+  Result<bool> item(std::size_t& i);
+  static Result<bool> all_right(const Status& status) {
+    if (!status) return fail(status.error());
+    return true;
+  }
+
+  Result<double> number_of(const NamedItem& item);
+  Status word(const NamedItem& item);
+  bool axis_of(char letter) const;
+  Status unknown(const NamedItem& item) const;
+  Status system_word(const NamedItem& item);
+  Status assign(const NamedItem& item, const std::shared_ptr<Variable>& variable);
+  Status assign_list(const NamedItem& item, const std::shared_ptr<Variable>& variable, const NamedStep& last);
+  Status assign_sign(const NamedItem& item, const std::shared_ptr<Variable>& to);
+  Status parameter(const NamedItem& item);
+  Status store(const std::string& name, double value, const NamedItem& item);
+  Status long_word(const NamedItem& item);
+  /// S[1]=…, M[1]=…, G[8]=2.
+  Status bracketed(const NamedItem& item, double) const;
+  Status add(char letter, double value, const NamedItem& item);
+  Status add_code(char letter, double code, const NamedItem& item);
+  Status code_word(const NamedItem& item, char letter, double code);
+  Status m_word(const NamedItem& item, double code);
+  Status tool(const NamedItem& item);
+  Status edge(const NamedItem& item, double value) const;
+  Status numbered_call(const NamedItem& item);
+  Result<bool> name(const NamedItem& item, std::size_t& i);
+  Status message(const NamedItem& item);
+  /// SETAL(n): stops with the program's own alarm; 62000 to 62999 and from 67000 on it is only shown (spec/sinumerik 9.4).
+  Status own_alarm(const NamedItem& item);
+  Result<bool> modal_call(std::size_t& i);
+  Result<bool> finish();
+  void scale_feed();
+  Status dwell();
+  /// G110, G111, G112: the pole from the last position, the zero of the system, the last pole (spec/sinumerik 12.3).
+  Status pole();
+  /// AP and RP are modal: the one that is left out keeps its value.
+  Status polar_words();
+  /// G53, G153, SUPA: the words are positions in the machine, with the tool length in them. They are converted to programmed coordinates.
+  Status machine_words();
+  Status to_reference();
+  /// G331, G332: tapping with the spindle as an axis: the feed is the speed times the lead (spec/sinumerik 12.5).
+  Status tap();
+  /// CIP and CT: worked out as G2 or G3 with a centre (spec/sinumerik 12.2).
+  Status named_arc();
+
+  Interpreter& m_;
+  Sinumerik& own_;
+  const NamedBlock& read_;
+  Block& block_;
+  std::optional<NamedItem> call_;
+  double times_ = 1;
+  bool in_dwell_ = false, tapping_ = false, reference_ = false;
+  int pole_ = 0;
+  std::optional<int> feed_unit_;
+};
+
+}  // namespace kadr::sinumerik

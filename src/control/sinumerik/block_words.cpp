@@ -1,0 +1,216 @@
+// Executes what the words of a block mean together: dwells, poles, polar points, SUPA, G331, CIP, CT. Used by control/sinumerik.
+
+#include <cmath>
+#include <utility>
+
+#include "base/tolerance.h"
+#include "control/sinumerik/block_run.h"
+
+namespace kadr::sinumerik {
+
+Result<bool> BlockRun::finish() {
+  if (call_) {
+    const bool alone = block_.word_count == 0 && own_.words.numbers.empty();
+    if (!alone) return fail(alarm(AlarmId::statement_not_alone, call_->where));
+    if (!(times_ >= 1 && times_ <= 9999) || times_ != std::round(times_)) return fail(alarm(AlarmId::passes_wrong, call_->where, times_));
+    return done(own_.call_item(m_, read_, *call_, static_cast<std::uint32_t>(times_), false));
+  }
+  if (in_dwell_) return done(dwell());
+  if (pole_ != 0) return done(pole());
+  if (reference_) return done(to_reference());
+  KADR_TRY(polar_words());
+  if (own_.words.has("RNDM")) own_.memory.rounding = own_.words.number("RNDM") * m_.unit_scale();
+  if (feed_unit_) own_.memory.feed_in_mm = *feed_unit_ == 1;
+  if (block_.has('F') && own_.memory.feed_in_mm) scale_feed();
+  if (tapping_) return done(tap());
+  if (own_.words.edge && !block_.has('M')) {
+    const std::uint32_t edge = *std::exchange(own_.words.edge, std::nullopt);
+    KADR_TRY(own_.activate_edge(m_, edge, own_.words.edge_where));
+  }
+  KADR_TRY(machine_words());
+  KADR_TRY(named_arc());
+  return block_.word_count == 0 && own_.words.numbers.empty() && !own_.words.returns;
+}
+
+void BlockRun::scale_feed() {
+  Word& f = block_.words[block_.at['F' - 'A']];
+  f.value /= mm_per_inch;
+}
+
+Status BlockRun::dwell() {
+  for (std::uint32_t i = 0; i < block_.word_count; ++i) {
+    const Word& w = block_.words[i];
+    if (w.address == 'F') {
+      if (w.value < 0) return fail(alarm(AlarmId::value_out_of_range, w.where, 'F', w.value));
+      m_.emit(Dwell{w.value});
+    } else if (w.address == 'S') {
+      if (!(m_.modal.rpm > 0)) return fail(alarm(AlarmId::speed_missing, w.where));
+      m_.emit(Dwell{w.value / m_.modal.rpm * 60});
+    } else {
+      return fail(alarm(AlarmId::statement_not_alone, w.where));
+    }
+  }
+  if (block_.word_count != 1) return fail(alarm(AlarmId::word_missing, block_.where, 'F', "G4"));
+  return {};
+}
+
+Status BlockRun::pole() {
+  const PlaneAxes plane = m_.modal.axes;
+  Memory& memory = own_.memory;
+  const Axes& at = m_.position.programmed;
+  Vec2 base = pole_ == 110 ? Vec2{at[plane.first], at[plane.second]} : pole_ == 112 ? memory.pole : Vec2{};
+  Vec2 by{};
+  if (own_.words.has("AP") || own_.words.has("RP")) {
+    const SinCos turn = sincos_deg(own_.words.has("AP") ? own_.words.number("AP") : 0);
+    const double radius = (own_.words.has("RP") ? own_.words.number("RP") : 0) * m_.unit_scale();
+    by = {radius * turn.cos, radius * turn.sin};
+  }
+  for (std::uint32_t i = 0; i < block_.word_count; ++i) {
+    const Word& w = block_.words[i];
+    if (w.address == m_.letters.axis_letter[plane.first]) by.x = w.value * m_.unit_scale();
+    else if (w.address == m_.letters.axis_letter[plane.second]) by.y = w.value * m_.unit_scale();
+    else if ((m_.letters.axes & letter_bit(w.address)) == 0) return fail(alarm(AlarmId::statement_not_alone, w.where));
+  }
+  memory.pole = base + by;
+  return {};
+}
+
+Status BlockRun::polar_words() {
+  BlockWords& words = own_.words;
+  if (!words.has("AP") && !words.has("RP")) return {};
+  Memory& memory = own_.memory;
+  const PlaneAxes plane = m_.modal.axes;
+  for (const std::size_t a : {plane.first, plane.second})
+    if (const char letter = m_.letters.axis_letter[a]; block_.has(letter))
+      return fail(alarm(AlarmId::polar_with_axes, block_.find(letter)->where, letter));
+  if (words.has("AP"))
+    memory.polar_angle = words.number("AP") + (words.number_forms["AP"] == WordForm::incremental ? memory.polar_angle : 0);
+  if (words.has("RP"))
+    memory.polar_radius =
+        words.number("RP") * m_.unit_scale() + (words.number_forms["RP"] == WordForm::incremental ? memory.polar_radius : 0);
+  if (memory.polar_radius < 0)
+    return fail(alarm(AlarmId::polar_radius_negative, words.has("RP") ? words.where("RP") : block_.where, memory.polar_radius));
+  // The words of the table see a motion of both axes of the plane; the end point comes from target().
+  NamedItem item;
+  item.where = words.has("AP") ? words.where("AP") : words.where("RP");
+  item.form = WordForm::incremental;
+  for (const std::size_t a : {plane.first, plane.second}) KADR_TRY(add(m_.letters.axis_letter[a], 0, item));
+  return {};
+}
+
+Status BlockRun::machine_words() {
+  if (!own_.words.machine) return {};
+  Axes work = m_.position.work;
+  bool any = false;
+  for (std::size_t a = 0; a < m_.axis_count; ++a) {
+    const char letter = m_.letters.axis_letter[a];
+    if (letter == 0 || !block_.has(letter)) continue;
+    any = true;
+    const bool is_length = m_.def.address(letter).unit == WordUnit::length;
+    const double basic = own_.words.basic_off ? 0.0 : m_.tables.common[a];
+    work[a] = block_.find(letter)->value * (is_length ? m_.unit_scale() : 1.0) + basic - m_.frames.origin[a];
+  }
+  own_.words.machine = own_.words.basic_off = false;
+  if (!any) return {};
+  if (m_.frames.turn != nullptr) return fail(alarm(AlarmId::not_available, block_.where, "SUPA"));
+  const Axes to = m_.transform.to_programmed(work);
+  for (std::size_t a = 0; a < m_.axis_count; ++a) {
+    const char letter = m_.letters.axis_letter[a];
+    if (letter == 0 || !block_.has(letter)) continue;
+    const bool is_length = m_.def.address(letter).unit == WordUnit::length;
+    block_.words[block_.at[static_cast<std::size_t>(letter - 'A')]].value = to[a] / (is_length ? m_.unit_scale() : 1.0);
+    own_.words.forms[static_cast<std::size_t>(letter - 'A')] = WordForm::absolute;
+  }
+  return {};
+}
+
+Status BlockRun::to_reference() {
+  AxisMask named = 0;
+  for (std::size_t a = 0; a < m_.axis_count; ++a)
+    if (const char letter = m_.letters.axis_letter[a]; letter != 0 && block_.has(letter)) named |= AxisMask{1} << a;
+  if (named == 0) return fail(alarm(AlarmId::no_axis_word, block_.where, "G74"));
+  return m_.to_machine(MotionKind::home, m_.tables.reference[1], named, 0, EndReference::reference_1);
+}
+
+Status BlockRun::tap() {
+  const std::size_t normal = m_.modal.axes.normal;
+  const char lead_letter = m_.letters.center_letter[normal], axis_letter = m_.letters.axis_letter[normal];
+  if (!block_.has(lead_letter) || !block_.has(axis_letter))
+    return fail(alarm(AlarmId::word_missing, block_.where, lead_letter, "G331, G332"));
+  const double lead = block_.find(lead_letter)->value * m_.unit_scale();
+  double speed = m_.modal.rpm;
+  if (block_.has('S')) m_.modal.rpm = speed = block_.find('S')->value;
+  if (!(speed > 0) || lead == 0) return fail(alarm(AlarmId::speed_missing, block_.where));
+  Axes to;
+  AxisMask named = 0;
+  KADR_TRY(m_.target(to, named));
+  const double feed = m_.modal.feed;
+  const FeedMode mode = m_.modal.feed_mode;
+  m_.modal.feed = speed * std::fabs(lead);
+  m_.modal.feed_mode = FeedMode::per_minute;
+  const Status moved = m_.straight(MotionKind::feed, to, named);
+  m_.modal.feed = feed;
+  m_.modal.feed_mode = mode;
+  return moved;
+}
+
+Status BlockRun::named_arc() {
+  const NamedMotion motion = own_.memory.motion;
+  if (motion == NamedMotion::none || (block_.letters & m_.letters.axes) == 0) return {};
+  const PlaneAxes plane = m_.modal.axes;
+  Axes to;
+  AxisMask named = 0;
+  KADR_TRY(m_.target(to, named));
+  const Axes& at = m_.position.programmed;
+  const Vec2 from{at[plane.first], at[plane.second]}, end{to[plane.first], to[plane.second]};
+  double code = 1;
+  Vec2 middle{};
+  if (motion == NamedMotion::through_point) {
+    constexpr std::string_view names[] = {"I1", "J1", "K1"};
+    Axes between = at;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::string name(names[a]);
+      if (!own_.words.has(name)) continue;
+      const double value = own_.words.number(name) * m_.unit_scale();
+      const WordForm form = own_.words.number_forms[name];
+      const bool absolute = form == WordForm::absolute || (form != WordForm::incremental && m_.modal.absolute);
+      between[a] = absolute ? value : at[a] + value;
+    }
+    if (std::fabs(between[plane.normal] - at[plane.normal]) > tol::same_point ||
+        std::fabs(to[plane.normal] - at[plane.normal]) > tol::same_point)
+      return fail(alarm(AlarmId::not_available, block_.where, "CIP"));
+    const Vec2 a = Vec2{between[plane.first], between[plane.second]} - from, b = end - from;
+    const double twice = 2 * cross(a, b);
+    if (std::fabs(twice) <= tol::same_point) {
+      const bool on_the_way = dot(a, b - a) >= 0;
+      if (!on_the_way) return fail(alarm(AlarmId::arc_through_point, block_.where));
+    } else {
+      const double aa = dot(a, a), bb = dot(b, b);
+      middle = {(b.y * aa - a.y * bb) / twice, (a.x * bb - b.x * aa) / twice};
+      code = twice > 0 ? 3 : 2;
+    }
+  } else {
+    if (!own_.memory.has_direction || own_.memory.direction_plane != plane) return fail(alarm(AlarmId::not_available, block_.where, "CT"));
+    const Vec2 ahead = own_.memory.direction, chord = end - from;
+    const double side = cross(ahead, chord);
+    if (std::fabs(side) > tol::same_point * length(ahead)) {
+      const Vec2 left{-ahead.y, ahead.x};
+      middle = dot(chord, chord) / (2 * dot(left, chord)) * left;
+      code = side > 0 ? 3 : 2;
+    } else if (dot(ahead, chord) < 0) {
+      return fail(alarm(AlarmId::arc_through_point, block_.where));
+    }
+  }
+  NamedItem item;
+  item.where = block_.words[0].where;
+  KADR_TRY(add_code('G', code, item));
+  if (code > 1) {
+    item.form = WordForm::plain;
+    for (const auto& [axis, value] : {std::pair{plane.first, middle.x}, std::pair{plane.second, middle.y}})
+      KADR_TRY(add(m_.letters.center_letter[axis], value / m_.unit_scale(), item));
+  }
+  own_.circle_by_name_ = true;
+  return {};
+}
+
+}  // namespace kadr::sinumerik

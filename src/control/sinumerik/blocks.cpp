@@ -1,0 +1,91 @@
+// Decides which blocks are read by lang/named, reads them, and executes them. Used by control/sinumerik.
+
+#include <algorithm>
+#include <utility>
+
+#include "control/sinumerik/block_run.h"
+#include "lang/named/named_parser.h"
+#include "lang/named/named_reader.h"
+
+namespace kadr::sinumerik {
+namespace {
+
+/// G codes that the words of the table do not describe completely; a block with one of them is read by lang/named.
+constexpr int own_codes[] = {4, 33, 53, 70, 71, 74, 75, 110, 111, 112, 147, 148, 153, 247, 248, 331, 332, 347, 348, 700, 710};
+bool is_own_code(double code) {
+  return std::any_of(std::begin(own_codes), std::end(own_codes), [&](int own) { return own == code; });
+}
+
+}  // namespace
+
+bool Sinumerik::needs_names(const BlockContext& m) const {
+  const Block& block = *m.block;
+  if (block.statement.kind == StatementKind::named || memory.motion != NamedMotion::none || memory.feed_in_mm) return true;
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    if (w.address == 'G' && is_own_code(w.code / 10.0)) return true;
+    if (w.address == 'M' && w.code == 170) return true;
+  }
+  return false;
+}
+
+Result<bool> Sinumerik::takes_block(Interpreter& m) {
+  words = {};
+  kept_ = circle_by_name_ = false;
+  previous_ = m.position.work;
+  if (!needs_names(m)) {
+    level().executing = true;
+    if (const Word* const f = m.block->find('F'); f != nullptr && !(f->value > 0))
+      return fail(alarm(AlarmId::value_out_of_range, f->where, 'F', f->value));
+    KADR_TRY(m.take_words());
+    return false;
+  }
+  return run_named(m);
+}
+
+/// Reads the block, and executes it in a copy, because its words depend on values that change.
+Result<bool> Sinumerik::run_named(Interpreter& m) {
+  if (m.block != scratch_.get()) *scratch_ = *m.block;
+  m.block = scratch_.get();
+  Block& block = *scratch_;
+  if (block.statement.kind != StatementKind::named) {
+    const Span where = block.where;
+    block.statement = {};
+    KADR_TRY(read_named_line(block.text, where.begin, block));
+    block.where = where;
+    block.statement.kind = StatementKind::named;
+  }
+  block.word_count = 0;
+  block.letters = 0;
+  block.shape = {};
+  block.altered = block.codes_vary = true;
+  m.keep_state();
+  m.keep_flow_place();
+  before_ = memory;
+  written_.clear();
+  kept_ = true;
+  const std::string_view text = block.text_of(block.statement.text);
+  if (!text.empty() && text[0] == '%') {
+    if (memory.levels.size() == 1 && level().name.empty()) level().name = plain_program_name(text);
+    return true;
+  }
+  std::string key(text);
+  key += static_cast<char>(block.statement.text.begin & 0x7F);
+  auto& kept = read_[key];
+  if (kept == nullptr) {
+    auto read = read_named_block(block.text, block.statement.text);
+    if (!read) {
+      read_.erase(key);
+      return fail(read.error());
+    }
+    constexpr std::size_t most_kept = 20'000;
+    auto made = std::make_shared<const NamedBlock>(std::move(*read));
+    if (read_.size() > most_kept) read_.clear();
+    read_[key] = made;
+    return BlockRun(m, *this, *made).run();
+  }
+  const auto made = kept;
+  return BlockRun(m, *this, *made).run();
+}
+
+}  // namespace kadr::sinumerik

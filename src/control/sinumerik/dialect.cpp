@@ -1,0 +1,181 @@
+// The functions of the Sinumerik's dialect that the interpreter calls (control/dialect.h).
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "control/sinumerik/sinumerik.h"
+
+namespace kadr {
+
+std::unique_ptr<Dialect> make_sinumerik_dialect(BlockContext&, const Setup&, const RunLimits& limits) {
+  return std::make_unique<sinumerik::Sinumerik>(limits);
+}
+
+namespace sinumerik {
+namespace {
+
+struct Kept : DialectState {
+  explicit Kept(Memory all) : memory(std::move(all)) {}
+  Memory memory;
+};
+
+}  // namespace
+
+Sinumerik& sinumerik_of(const BlockContext& m) { return static_cast<Sinumerik&>(*m.dialect); }
+
+std::shared_ptr<const DialectState> Sinumerik::snapshot() const { return std::make_shared<Kept>(separate_copy(memory)); }
+
+Status Sinumerik::restore(BlockContext& m, const DialectState& from) {
+  memory = separate_copy(static_cast<const Kept&>(from).memory);
+  if (const auto transform = transform_of(memory.programmable)) m.transform = *transform;
+  found_.clear();
+  indices_.clear();
+  return {};
+}
+
+void Sinumerik::take_setup(Emitter& m, const Setup& setup) {
+  for (std::size_t n = 0; n < settable_frames && n < m.tables.zeros.size(); ++n) memory.settable[n].shift = m.tables.zeros[n];
+  for (const auto& [tool, offset] : setup.offsets) table_.insert(tool);
+  for (const auto& [name, value] : setup.variables) {
+    const std::size_t begin = name.starts_with("#R") ? 2 : name.starts_with("R") ? 1 : 0;
+    if (begin == 0 || !value || name.find_first_not_of("0123456789", begin) != std::string::npos) continue;
+    const unsigned long index = std::strtoul(name.c_str() + begin, nullptr, 10);
+    if (index < parameter_count) memory.parameters[index] = *value;
+  }
+  memory.active = memory.settable[m.modal.work_zero];
+  if (memory.edge != 0 || m.modal.tool != 0) {
+    const bool off = std::find(setup.modal.begin(), setup.modal.end(), "D0") != setup.modal.end();
+    memory.edge = off ? 0 : std::max<std::uint32_t>(1, memory.edge);
+    m.modal.offset_number = off || m.modal.tool >= m.tables.offsets.size() ? 0 : m.modal.tool;
+  }
+  words = {};
+  memory.levels.front().executing = false;
+}
+
+bool Sinumerik::knows_tool(const BlockContext& m, double tool) const {
+  if (table_.empty() || tool == 0 || table_.contains(static_cast<int>(tool))) return true;
+  const auto number = static_cast<std::size_t>(tool);
+  return number < m.tables.offsets.size() && !(m.tables.offsets[number] == ToolOffset{});  // $TC_DP of the program
+}
+
+/// Puts an edge of the tool in force (spec/sinumerik 5).
+Status Sinumerik::activate_edge(Emitter& m, std::uint32_t edge, Span where) {
+  const std::uint32_t tool = m.modal.tool;
+  const bool in_table = tool != 0 && tool < m.tables.offsets.size();
+  const auto own = memory.edges.find({tool, edge});
+  if (edge > 1 && own == memory.edges.end()) return fail(alarm(AlarmId::edge_missing, where, double(tool), double(edge)));
+  memory.edge = edge;
+  m.modal.offset_number = edge == 0 || !in_table ? 0 : tool;
+  if (edge > 1) return fail(alarm(AlarmId::not_available, where, std::string_view("D" + std::to_string(edge))));
+  m.change_frames();
+  return {};
+}
+
+void Sinumerik::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
+  switch (row.function) {
+    case Function::change_tool: {
+      const std::uint32_t edge = words.edge.value_or(m.modal.tool == 0 ? 0 : 1);
+      words.edge.reset();
+      if (edge <= 1) (void)activate_edge(m, edge, words.edge_where);
+      break;
+    }
+    case Function::work_zero:
+      memory.active = memory.settable[static_cast<std::size_t>(row.arg)];
+      m.change_frames();
+      break;
+    case Function::plane_xy:
+    case Function::plane_zx:
+    case Function::plane_yz: m.change_frames(); break;
+    case Function::rapid:
+    case Function::linear:
+    case Function::arc_cw:
+    case Function::arc_ccw:
+      if (!circle_by_name_) memory.motion = NamedMotion::none;
+      break;
+    default: break;
+  }
+}
+
+Status Sinumerik::after_block(Interpreter& m) {
+  if (words.edge) {
+    const std::uint32_t edge = *words.edge;
+    words.edge.reset();
+    KADR_TRY(activate_edge(m, edge, words.edge_where));
+  }
+  kept_ = false;
+  if (words.returns) return leave(m, m.block->where);
+  if (!words.moved || m.program().ended() || !level().modal_call) return {};
+  const ModalCall modal = *level().modal_call;
+  const auto found = find_program(m, modal.name);
+  if (found) return call(m, *found, modal.name, modal.arguments, {}, !modal.arguments.empty(), 1, m.block->where);
+  if (is_cycle(modal.name)) return run_cycle(m, modal.name, modal.arguments, m.block->where);
+  return fail(alarm(AlarmId::program_missing, m.block->where, std::string_view(modal.name)));
+}
+
+void Sinumerik::keep(BlockContext&) {}
+
+void Sinumerik::undo_block(BlockContext&) {
+  if (!std::exchange(kept_, false)) return;
+  static_cast<Modes&>(memory) = before_;
+  for (; !written_.empty(); written_.pop_back()) {
+    WrittenValue& last = written_.back();
+    if (last.variable != nullptr) last.variable->values[last.place] = std::move(last.value);
+    else if (last.value.type == Type::frame) memory.settable[last.place] = *last.value.frame;
+    else memory.parameters[last.place] = last.value.number;
+  }
+}
+
+/// A block other than PROC, EXTERN and DEF: the parameters of the call must have been taken.
+Status Sinumerik::begin_pass(Interpreter& m) {
+  Level& own = level();
+  if (!own.executing && !own.took_arguments && own.has_arguments)
+    return fail(alarm(AlarmId::parameters_without_proc, m.block->where, std::string_view(own.name)));
+  own.executing = true;
+  return {};
+}
+
+bool Sinumerik::end_program(Interpreter& m) {
+  memory.repeated.clear();
+  memory.levels.erase(memory.levels.begin() + 1, memory.levels.end());
+  level().modal_call.reset();
+  m.flow.frames().clear();
+  memory.motion = NamedMotion::none;
+  memory.rounding = 0;
+  memory.feed_in_mm = false;
+  memory.programmable = {};
+  m.transform = Transform();
+  memory.edge = 0;
+  m.modal.offset_number = 0;
+  m.change_frames();
+  m.position.programmed = m.position.work;
+  return false;
+}
+
+Result<bool> Sinumerik::end_of_file(BlockContext&) { return true; }
+
+/// The number of the program's own alarm is that of SETAL.
+void Sinumerik::reword(const BlockContext&, AlarmReport&) const {}
+
+/// Reports the R parameters that are not 0, and the watched variables of the main program.
+void Sinumerik::add_variables(Emitter&, FinalState& ending, const std::vector<std::string>& watch) {
+  for (std::size_t i = 0; i < parameter_count; ++i)
+    if (memory.parameters[i] != 0) ending.variables.emplace_back("#R" + std::to_string(i), memory.parameters[i]);
+  for (const std::string& name : watch) {
+    const std::string plain = name.starts_with("#") ? name.substr(1) : name;
+    if (plain.size() > 1 && plain[0] == 'R' && plain.find_first_not_of("0123456789", 1) == std::string::npos) {
+      const unsigned long index = std::strtoul(plain.c_str() + 1, nullptr, 10);
+      if (index < parameter_count && memory.parameters[index] == 0) ending.variables.emplace_back(name, 0.0);
+      else if (index >= parameter_count) ending.watched_unset.emplace_back(name, true);
+      continue;
+    }
+    const auto& variables = memory.levels.front().variables;
+    const auto found = variables.find(plain);
+    if (found != variables.end() && found->second->sizes.empty() && found->second->values[0].is_number())
+      ending.variables.emplace_back(name, found->second->values[0].number);
+    else ending.watched_unset.emplace_back(name, true);
+  }
+}
+
+}  // namespace sinumerik
+}  // namespace kadr

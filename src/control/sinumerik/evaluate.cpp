@@ -1,0 +1,333 @@
+// Evaluates expressions (spec/sinumerik 7). Used by control/sinumerik.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "control/sinumerik/sinumerik.h"
+
+namespace kadr::sinumerik {
+namespace {
+
+/// Comparisons of REAL values take values as equal that differ by less than 1E-12 of their size (spec/sinumerik 7.2).
+bool nearly_equal(double a, double b) { return std::fabs(a - b) <= 1e-12 * std::max(std::fabs(a), std::fabs(b)); }
+
+Result<Value> compared(NamedOp op, const Value& a, const Value& b, Span where) {
+  int order = 0;
+  if (a.is_number() && b.is_number()) {
+    order = nearly_equal(a.number, b.number) ? 0 : a.number < b.number ? -1 : 1;
+  } else if (a.type == b.type && (a.type == Type::text || a.type == Type::axis)) {
+    order = a.text.compare(b.text);
+  } else if (a.type == Type::frame && b.type == Type::frame && (op == NamedOp::equal || op == NamedOp::not_equal)) {
+    order = *a.frame == *b.frame ? 0 : 1;
+  } else {
+    return fail(alarm(AlarmId::operand_type, where, written(op)));
+  }
+  switch (op) {
+    case NamedOp::equal: return boolean(order == 0);
+    case NamedOp::not_equal: return boolean(order != 0);
+    case NamedOp::greater: return boolean(order > 0);
+    case NamedOp::less: return boolean(order < 0);
+    case NamedOp::greater_equal: return boolean(order >= 0);
+    default: return boolean(order <= 0);
+  }
+}
+
+std::int64_t bits(double number) { return static_cast<std::int64_t>(std::clamp(std::round(number), -2147483648.0, 4294967295.0)); }
+
+// NOLINTNEXTLINE(readability-function-size): one switch over all operators
+Result<Value> applied(NamedOp op, const Value& a, const Value& b, Span where) {
+  if (op >= NamedOp::equal && op <= NamedOp::less_equal) return compared(op, a, b, where);
+  if (op == NamedOp::join) return text_value(joined_text(a) + joined_text(b));
+  if (op == NamedOp::chain) {
+    if (a.type != Type::frame || b.type != Type::frame) return fail(alarm(AlarmId::operand_type, where, ":"));
+    return frame_value(chained(*a.frame, *b.frame));
+  }
+  if (!a.is_number() || !b.is_number()) return fail(alarm(AlarmId::operand_type, where, written(op)));
+  const double x = a.number, y = b.number;
+  const bool whole = a.type != Type::real && b.type != Type::real;
+  const auto result = [&](double value) -> Result<Value> {
+    if (!std::isfinite(value)) return fail(alarm(AlarmId::not_a_number, where));
+    return whole && std::fabs(value) <= 2147483647.0 ? integer(value) : real(value);
+  };
+  switch (op) {
+    case NamedOp::multiply: return result(x * y);
+    case NamedOp::divide:
+      if (y == 0) return fail(alarm(AlarmId::division_by_zero, where));
+      return real(x / y);
+    case NamedOp::whole_divide:
+      if (y == 0) return fail(alarm(AlarmId::division_by_zero, where));
+      return integer(std::trunc(x / y));
+    case NamedOp::modulo:
+      if (y == 0) return fail(alarm(AlarmId::division_by_zero, where));
+      return result(std::fmod(x, y));
+    case NamedOp::add: return result(x + y);
+    case NamedOp::subtract: return result(x - y);
+    case NamedOp::bit_and: return integer(static_cast<double>(bits(x) & bits(y)));
+    case NamedOp::bit_xor: return integer(static_cast<double>(bits(x) ^ bits(y)));
+    case NamedOp::bit_or: return integer(static_cast<double>(bits(x) | bits(y)));
+    case NamedOp::logic_and: return boolean(x != 0 && y != 0);
+    case NamedOp::logic_xor: return boolean((x != 0) != (y != 0));
+    case NamedOp::logic_or: return boolean(x != 0 || y != 0);
+    default: return fail(alarm(AlarmId::operand_type, where, written(op)));
+  }
+}
+
+Result<Value> applied_to_one(NamedOp op, const Value& a, Span where) {
+  if (!a.is_number()) return fail(alarm(AlarmId::operand_type, where, written(op)));
+  switch (op) {
+    case NamedOp::negate: return a.type == Type::real ? real(-a.number) : integer(-a.number);
+    case NamedOp::logic_not: return boolean(!a.is_true());
+    default: return integer(static_cast<double>(~bits(a.number)));
+  }
+}
+
+constexpr double deg = 1 / rad_per_deg;
+
+struct NumberFunction {
+  std::string_view name;
+  std::size_t operands;
+  Result<double> (*of)(const std::vector<Value>& v, Span where);
+};
+
+double first(const std::vector<Value>& v) { return v[0].number; }
+
+const NumberFunction number_functions[] = {
+    {"SIN", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return sincos_deg(first(v)).sin; }},
+    {"COS", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return sincos_deg(first(v)).cos; }},
+    {"TAN", 1,
+     [](const std::vector<Value>& v, Span where) -> Result<double> {
+       const SinCos turn = sincos_deg(first(v));
+       if (turn.cos == 0) return fail(alarm(AlarmId::tangent_of_right_angle, where, first(v)));
+       return turn.sin / turn.cos;
+     }},
+    {"ASIN", 1,
+     [](const std::vector<Value>& v, Span where) -> Result<double> {
+       if (std::fabs(first(v)) > 1) return fail(alarm(AlarmId::argument_above_one, where, first(v)));
+       return std::asin(first(v)) * deg;
+     }},
+    {"ACOS", 1,
+     [](const std::vector<Value>& v, Span where) -> Result<double> {
+       if (std::fabs(first(v)) > 1) return fail(alarm(AlarmId::argument_above_one, where, first(v)));
+       return std::acos(first(v)) * deg;
+     }},
+    {"ATAN2", 2,
+     [](const std::vector<Value>& v, Span) -> Result<double> {
+       return angle_deg({v[1].number, v[0].number});
+     }},
+    {"SQRT", 1,
+     [](const std::vector<Value>& v, Span where) -> Result<double> {
+       if (first(v) < 0) return fail(alarm(AlarmId::root_of_negative, where, first(v)));
+       return std::sqrt(first(v));
+     }},
+    {"ABS", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::fabs(first(v)); }},
+    {"POT", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return first(v) * first(v); }},
+    {"TRUNC", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::trunc(first(v)); }},
+    {"ROUND", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::round(first(v)); }},
+    {"ROUNDUP", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::ceil(first(v)); }},
+    {"LN", 1,
+     [](const std::vector<Value>& v, Span where) -> Result<double> {
+       if (!(first(v) > 0)) return fail(alarm(AlarmId::argument_not_positive, where, first(v)));
+       return std::log(first(v));
+     }},
+    {"EXP", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::exp(first(v)); }},
+    {"MINVAL", 2, [](const std::vector<Value>& v, Span) -> Result<double> { return std::min(v[0].number, v[1].number); }},
+    {"MAXVAL", 2, [](const std::vector<Value>& v, Span) -> Result<double> { return std::max(v[0].number, v[1].number); }},
+    {"BOUND", 3,
+     [](const std::vector<Value>& v, Span) -> Result<double> {
+       return std::max(std::min(v[0].number, v[1].number), std::min(v[2].number, std::max(v[0].number, v[1].number)));
+     }},
+};
+
+bool is_number_text(const std::string& text, double& number) {
+  const std::size_t begin = text.find_first_not_of(' '), end = text.find_last_not_of(' ');
+  if (begin == std::string::npos) return false;
+  std::string plain = text.substr(begin, end + 1 - begin);
+  if (plain.find_first_not_of("0123456789.+-eEX") != std::string::npos) return false;
+  if (const std::size_t x = plain.find("EX"); x != std::string::npos) plain.replace(x, 2, "e");
+  char* stop = nullptr;
+  number = std::strtod(plain.c_str(), &stop);
+  return stop == plain.c_str() + plain.size() && std::isfinite(number);
+}
+
+/// Functions of texts (spec/sinumerik 6.3). Returns nullopt if no function has this name.
+std::optional<Result<Value>> text_function(const std::string& name, const std::vector<Value>& v, Span where) {
+  const auto text = [&](std::size_t i) { return i < v.size() ? joined_text(v[i]) : std::string(); };
+  const auto whole = [&](std::size_t i) { return i < v.size() ? std::llround(v[i].number) : 0; };
+  const auto place = [](std::size_t at) { return integer(at == std::string::npos ? -1.0 : static_cast<double>(at)); };
+  if (name == "STRLEN") return integer(static_cast<double>(text(0).size()));
+  if (name == "INDEX") return place(text(0).find(text(1).substr(0, 1)));
+  if (name == "RINDEX") return place(text(0).rfind(text(1).substr(0, 1)));
+  if (name == "MINDEX") return place(text(0).find_first_of(text(1)));
+  if (name == "MATCH") return place(text(0).find(text(1)));
+  if (name == "SUBSTR") {
+    const std::string all = text(0);
+    if (whole(1) < 0 || static_cast<std::size_t>(whole(1)) >= all.size()) return text_value({});
+    const auto from = static_cast<std::size_t>(whole(1));
+    return text_value(v.size() > 2 && !v[2].omitted ? all.substr(from, static_cast<std::size_t>(std::max<long long>(0, whole(2))))
+                                                    : all.substr(from));
+  }
+  if (name == "TOUPPER" || name == "TOLOWER") {
+    std::string all = text(0);
+    for (char& c : all)
+      c = static_cast<char>(name == "TOUPPER" ? std::toupper(static_cast<unsigned char>(c)) : std::tolower(static_cast<unsigned char>(c)));
+    return text_value(all);
+  }
+  if (name == "NUMBER" || name == "ISNUMBER") {
+    double number = 0;
+    const bool is = is_number_text(text(0), number);
+    if (name == "ISNUMBER") return boolean(is);
+    if (!is) return Result<Value>(fail(alarm(AlarmId::text_not_number, where, std::string_view(text(0)))));
+    return real(number);
+  }
+  if (name == "AXNAME") return axis_value(text(0));
+  if (name == "AXSTRING") return text_value(text(0));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::shared_ptr<Variable> Sinumerik::variable(const std::string& name) {
+  const auto found = level().variables.find(name);
+  return found == level().variables.end() ? nullptr : found->second;
+}
+
+Result<std::size_t> Sinumerik::element(BlockContext& m, const NamedBlock& block, const std::string& name, const Variable& of,
+                                       const std::vector<NamedExpression>& indices, Span where) {
+  if (indices.empty() && of.sizes.empty()) return std::size_t{0};
+  if (indices.size() != of.sizes.size()) return fail(alarm(AlarmId::index_range, where, std::string_view(name), double(indices.size())));
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const auto value = number(m, block, indices[i], where);
+    if (!value) return fail(value.error());
+    const double index = std::round(*value);
+    if (!(index >= 0) || index >= of.sizes[i]) return fail(alarm(AlarmId::index_range, where, std::string_view(name), index));
+    at = at * of.sizes[i] + static_cast<std::size_t>(index);
+  }
+  return at;
+}
+
+Result<double> Sinumerik::number(BlockContext& m, const NamedBlock& block, NamedExpression expression, Span where) {
+  const auto value = evaluate(m, block, expression);
+  if (!value) return fail(value.error());
+  if (!value->is_number()) return fail(alarm(AlarmId::operand_type, where, name_of(value->type)));
+  return value->number;
+}
+
+Result<Value> Sinumerik::evaluate(BlockContext& m, const NamedBlock& block, NamedExpression expression) {
+  auto values = evaluate_all(m, block, expression);
+  if (!values) return fail(values.error());
+  if (values->empty()) return fail(alarm(AlarmId::expression_syntax, m.block->where, "…"));
+  return std::move(values->back());
+}
+
+// NOLINTNEXTLINE(readability-function-size): one switch over the kinds of steps
+Result<std::vector<Value>> Sinumerik::evaluate_all(BlockContext& m, const NamedBlock& block, NamedExpression expression) {
+  std::vector<Value> stack;
+  const auto take = [&](std::size_t count) {
+    std::vector<Value> top(stack.end() - static_cast<std::ptrdiff_t>(count), stack.end());
+    stack.resize(stack.size() - count);
+    return top;
+  };
+  for (std::uint32_t i = expression.begin; i < expression.end; ++i) {
+    const NamedStep& step = block.code[i];
+    switch (step.kind) {
+      case NamedStep::Kind::real: stack.push_back(real(step.number)); break;
+      case NamedStep::Kind::integer: stack.push_back(integer(step.number)); break;
+      case NamedStep::Kind::boolean: stack.push_back(boolean(step.number != 0)); break;
+      case NamedStep::Kind::text: stack.push_back(text_value(step.name)); break;
+      case NamedStep::Kind::omitted: {
+        Value left_out = integer(0);
+        left_out.omitted = true;
+        stack.push_back(left_out);
+        break;
+      }
+      case NamedStep::Kind::parameter: {
+        double index = step.number;
+        if (step.operands == 1) index = std::round(take(1)[0].number);
+        if (!(index >= 0) || index >= double{parameter_count}) return fail(alarm(AlarmId::index_range, step.where, "R", index));
+        stack.push_back(real(memory.parameters[static_cast<std::size_t>(index)]));
+        break;
+      }
+      case NamedStep::Kind::apply: {
+        const std::vector<Value> operands = take(step.operands);
+        auto value =
+            step.operands == 1 ? applied_to_one(step.op, operands[0], step.where) : applied(step.op, operands[0], operands[1], step.where);
+        if (!value) return fail(value.error());
+        stack.push_back(std::move(*value));
+        break;
+      }
+      case NamedStep::Kind::name: {
+        const std::vector<Value> indices = take(step.operands);
+        if (step.name[0] == '$') {
+          auto value = read_system(m, step.name, indices, step.where);
+          if (!value) return fail(value.error());
+          stack.push_back(std::move(*value));
+          break;
+        }
+        const auto found = variable(step.name);
+        if (found == nullptr) {
+          if (step.name == "PI" && indices.empty()) {
+            stack.push_back(real(pi));
+            break;
+          }
+          const bool component = step.name == "TR" || step.name == "FI" || step.name == "RT" || step.name == "SC" || step.name == "MI";
+          if (!indices.empty() || (!axis_named(m, step.name) && !component))
+            return fail(alarm(AlarmId::name_unknown, step.where, std::string_view(step.name)));
+          stack.push_back(axis_value(step.name));
+          break;
+        }
+        if (found->type == Type::text && found->sizes.empty() && indices.size() == 1) {  // one sign of a text
+          const std::string& all = found->values[0].text;
+          const double at = std::round(indices[0].number);
+          if (!(at >= 0) || at >= static_cast<double>(all.size()))
+            return fail(alarm(AlarmId::index_range, step.where, std::string_view(step.name), at));
+          Value letter = initial_value(Type::character);
+          letter.number = static_cast<unsigned char>(all[static_cast<std::size_t>(at)]);
+          stack.push_back(letter);
+          break;
+        }
+        if (indices.size() != found->sizes.size())
+          return fail(alarm(AlarmId::index_range, step.where, std::string_view(step.name), double(indices.size())));
+        std::size_t at = 0;
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+          const double index = std::round(indices[k].number);
+          if (!(index >= 0) || index >= found->sizes[k])
+            return fail(alarm(AlarmId::index_range, step.where, std::string_view(step.name), index));
+          at = at * found->sizes[k] + static_cast<std::size_t>(index);
+        }
+        stack.push_back(found->values[at]);
+        break;
+      }
+      case NamedStep::Kind::call: {
+        const std::vector<Value> operands = take(step.operands);
+        const NumberFunction* const row = std::find_if(std::begin(number_functions), std::end(number_functions),
+                                                       [&](const NumberFunction& each) { return each.name == step.name; });
+        if (row != std::end(number_functions)) {
+          if (operands.size() != row->operands ||
+              !std::all_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_number(); }))
+            return fail(alarm(AlarmId::operand_type, step.where, std::string_view(step.name)));
+          const auto value = row->of(operands, step.where);
+          if (!value) return fail(value.error());
+          if (!std::isfinite(*value)) return fail(alarm(AlarmId::not_a_number, step.where));
+          stack.push_back(real(*value));
+          break;
+        }
+        if (auto value = text_function(step.name, operands, step.where)) {
+          if (!*value) return fail(value->error());
+          stack.push_back(std::move(**value));
+          break;
+        }
+        auto value = frame_function(step.name, operands, m, step.where);
+        if (!value) return fail(value.error());
+        stack.push_back(std::move(*value));
+        break;
+      }
+    }
+  }
+  return stack;
+}
+
+}  // namespace kadr::sinumerik

@@ -1,0 +1,81 @@
+#pragma once
+// What a Sinumerik remembers between two blocks (spec/sinumerik 5, 6, 9 to 13).
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/setup/setup.h"
+#include "control/sinumerik/value.h"
+#include "control/state/control_state.h"
+#include "lang/block/block.h"
+
+namespace kadr::sinumerik {
+
+inline constexpr std::size_t parameter_count = 300;  // R0 to R299 (MD28050)
+inline constexpr std::size_t settable_frames = 100;  // G500, G54 to G57, G505 to G599
+
+using Variables = std::map<std::string, std::shared_ptr<Variable>>;
+
+/// MCALL: the program that is called after each block with path motion (spec/sinumerik 9.3).
+struct ModalCall {
+  std::string name;
+  std::vector<Value> arguments;
+};
+
+/// A program that is being executed: the main program, or a subprogram.
+struct Level {
+  std::string name;
+  Variables variables;                                // of DEF and PROC
+  std::vector<Value> arguments;                       // of the call, for PROC
+  std::vector<std::shared_ptr<Variable>> references;  // for VAR: the caller's variables; nullptr: the argument is no variable
+  bool has_arguments = false;
+  bool took_arguments = false;  // PROC was executed
+  bool executing = false;       // a block other than PROC, EXTERN and DEF has been executed
+  std::optional<Modal> saved;   // SAVE: the modes at the call
+  Frame saved_frame;
+  std::optional<ModalCall> modal_call;
+};
+
+/// REPEAT LABEL: the part of the program that is repeated, and the number of calls that were open.
+struct RepeatedPart {
+  Position begin, end;
+  std::size_t depth = 0;
+};
+
+/// The motion of group 1 that is no G code of the table.
+enum class NamedMotion : std::uint8_t { none, through_point, tangent };
+
+/// The modes that are values of a fixed size: a block that fails gets all of them back.
+struct Modes {
+  std::optional<Position> counts_on;  // ENDFOR has jumped to the FOR at this position, which counts on
+  Frame active;                       // the settable frame that the last G54 put in force
+  Frame programmable;                 // TRANS, ROT …
+  NamedMotion motion = NamedMotion::none;
+  Vec2 pole;  // in the plane, programmed coordinates
+  double polar_angle = 0, polar_radius = 0;
+  double rounding = 0;      // RNDM
+  std::uint32_t edge = 0;   // D in force
+  bool feed_in_mm = false;  // G70: words of axes are in inches, F is in mm
+  Vec2 direction;           // of the last motion at its end, in the plane of that motion, programmed coordinates
+  PlaneAxes direction_plane;
+  bool has_direction = false;
+};
+
+struct Memory : Modes {
+  std::array<double, parameter_count> parameters{};
+  std::vector<Level> levels{1};
+  std::vector<RepeatedPart> repeated;
+  std::vector<Frame> settable = std::vector<Frame>(settable_frames);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, ToolOffset> edges;  // of $TC_DP: {tool, edge}; edge 1 is in Tables::offsets too
+  std::map<std::string, std::uint32_t> tools;                           // names of T="…"
+};
+
+/// Returns a copy whose variables are not shared with the original; references stay references among the copied levels.
+Memory separate_copy(const Memory& memory);
+
+}  // namespace kadr::sinumerik

@@ -1,0 +1,239 @@
+// End points, arcs of every form, roundings (spec/sinumerik 10, 12). Used by control/sinumerik.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/functions/cutter_compensation.h"
+#include "control/sinumerik/sinumerik.h"
+
+namespace kadr::sinumerik {
+namespace {
+
+Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
+
+/// Works out an arc from the words of its block, and emits it.
+class ArcMotion {
+ public:
+  ArcMotion(Emitter& m, Sinumerik& own, Turn turn) : m_(m), own_(own), words_(own.words), turn_(turn), axes_(m.modal.axes) {}
+
+  Status run(Span where) {
+    where_ = where;
+    AxisMask named = 0;
+    Axes end;
+    KADR_TRY(m_.target(end, named));
+    const bool has_words = named != 0 || centre(axes_.first) || centre(axes_.second) || words_.has("CR") || words_.has("AR") ||
+                           words_.has("AP") || words_.has("RP");
+    if (!has_words) return {};
+    KADR_TRY(check_arc_at_compensation_ends(m_, where, turn_ == Turn::cw ? "G2" : "G3"));
+    KADR_TRY(m_.feed_known(where));
+    if (m_.transform.leaves(axes_)) return fail(alarm(AlarmId::plane_wrong, where, turn_ == Turn::cw ? "G2" : "G3"));
+    if (m_.transform.distorts(axes_)) return fail(alarm(AlarmId::not_together, where, "SCALE", turn_ == Turn::cw ? "G2" : "G3"));
+    auto arc = shape(end, named);
+    if (!arc) return fail(arc.error());
+    if (words_.has("TURN")) {
+      const double more = words_.number("TURN");
+      if (!(more >= 0 && more <= 999) || more != std::round(more)) return fail(alarm(AlarmId::arc_turns, words_.where("TURN"), more));
+      arc->turns += more;
+    }
+    emit(*arc, end, named);
+    return {};
+  }
+
+ private:
+  bool centre(std::size_t axis) const { return m_.letters.center_letter[axis] != 0 && m_.has(m_.letters.center_letter[axis]); }
+
+  double centre_coordinate(std::size_t axis, double start) const {
+    if (!centre(axis)) return start;
+    const char letter = m_.letters.center_letter[axis];
+    const double v = m_.length_value(letter);
+    return words_.forms[static_cast<std::size_t>(letter - 'A')] == WordForm::absolute ? v : start + v;
+  }
+
+  Result<PlaneArc> shape(Axes& end, AxisMask& named) {
+    const Vec2 from = in_plane(m_.position.programmed, axes_);
+    const bool has_centre = centre(axes_.first) || centre(axes_.second);
+    const bool has_end = (named >> axes_.first & 1U) != 0 || (named >> axes_.second & 1U) != 0;
+    const double unit = m_.unit_scale();
+    const Span block = m_.block->where;
+    if (words_.has("AP") || words_.has("RP")) {  // about the pole
+      if (has_centre || words_.has("CR")) return fail(alarm(AlarmId::arc_two_ways, block, "AP", has_centre ? "I J K" : "CR"));
+      return around(from, in_plane(end, axes_), own_.memory.pole);
+    }
+    if (words_.has("CR")) {
+      if (has_centre || words_.has("AR")) return fail(alarm(AlarmId::arc_two_ways, block, "CR", has_centre ? "I J K" : "AR"));
+      return arc_by_radius(from, in_plane(end, axes_), words_.number("CR") * unit, turn_, 0.01).map_error([&](Alarm a) {
+        return placed(a);
+      });
+    }
+    if (words_.has("AR")) {
+      const double angle = words_.number("AR");
+      if (has_centre && has_end) return fail(alarm(AlarmId::arc_two_ways, block, "AR", "I J K"));
+      if (!(angle > 0 && angle < 360)) return fail(alarm(AlarmId::arc_opening_angle, words_.where("AR"), angle));
+      if (!has_centre && !has_end) return fail(alarm(AlarmId::center_missing, block, "I", "J"));
+      const double signed_angle = turn_ == Turn::ccw ? angle : -angle;
+      if (has_centre) {
+        const Vec2 middle{centre_coordinate(axes_.first, from.x), centre_coordinate(axes_.second, from.y)};
+        const Vec2 to = middle + rotated(from - middle, signed_angle);
+        end[axes_.first] = to.x;
+        end[axes_.second] = to.y;
+        named |= AxisMask{1} << axes_.first | AxisMask{1} << axes_.second;
+        return PlaneArc{middle, angle / 360};
+      }
+      const Vec2 chord = in_plane(end, axes_) - from;
+      if (!(length(chord) > tol::same_point)) return fail(alarm(AlarmId::full_circle_by_radius, block));
+      const SinCos half = sincos_deg(signed_angle / 2);
+      const double height = 0.5 * half.cos / half.sin;  // distance of the centre from the chord, as a part of it
+      return PlaneArc{from + 0.5 * chord + height * Vec2{-chord.y, chord.x}, angle / 360};
+    }
+    if (!has_centre)
+      return fail(alarm(AlarmId::center_missing, block, m_.letters.center_letter[axes_.first], m_.letters.center_letter[axes_.second]));
+    if (centre(axes_.normal) && m_.value(m_.letters.center_letter[axes_.normal]) != 0)
+      return fail(
+          alarm(AlarmId::arc_not_in_plane, m_.where(m_.letters.center_letter[axes_.normal]), m_.letters.center_letter[axes_.normal]));
+    const Vec2 middle{centre_coordinate(axes_.first, from.x), centre_coordinate(axes_.second, from.y)};
+    if (!has_end) {
+      if (!(length(middle - from) > tol::same_point)) return fail(alarm(AlarmId::arc_radius_zero, block));
+      return PlaneArc{middle, 1};
+    }
+    return around(from, in_plane(end, axes_), middle);
+  }
+
+  /// The end point is reached exactly: the centre moves to the perpendicular bisector of the chord (spec/sinumerik 12.2).
+  Result<PlaneArc> around(Vec2 from, Vec2 to, Vec2 middle) const {
+    const double radius = length(from - middle);
+    auto arc = arc_around(from, to, middle, turn_, std::max(0.01, 0.001 * radius));
+    if (!arc) return fail(placed(arc.error()));
+    const Vec2 chord = to - from;
+    const double across = length(chord);
+    if (across <= tol::same_point || !radius_changes(from, to, middle)) return arc;
+    const Vec2 half = from + 0.5 * chord;
+    const Vec2 normal = 1 / across * Vec2{-chord.y, chord.x};
+    return arc_around(from, to, half + dot(middle - half, normal) * normal, turn_, 0.01);
+  }
+
+  Alarm placed(Alarm fault) const {
+    fault.where = m_.block->where;
+    return fault;
+  }
+
+  void emit(const PlaneArc& arc, const Axes& end, AxisMask named) {
+    Axes middle = m_.position.programmed;
+    middle[axes_.first] = arc.center.x;
+    middle[axes_.second] = arc.center.y;
+    Axes work = end;
+    bool reversed = false;
+    if (!m_.transform.identity) {
+      reversed = m_.transform.reverses(axes_);
+      work = m_.transform.to_work(end);
+      middle = m_.transform.to_work(middle);
+    }
+    named |= AxisMask{1} << axes_.first | AxisMask{1} << axes_.second;
+    m_.move_to(end, work, named);
+    const bool cw = (turn_ == Turn::cw) != reversed;
+    Motion& motion = m_.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named);
+    m_.set_feed(motion);
+    motion.center = {middle[axes_.first], middle[axes_.second]};
+    motion.turns = arc.turns;
+    note_arc_end(m_, motion);
+    const Vec2 arm = in_plane(end, axes_) - arc.center;
+    own_.memory.direction = turn_ == Turn::ccw ? Vec2{-arm.y, arm.x} : Vec2{arm.y, -arm.x};
+    own_.memory.direction_plane = axes_;
+    own_.memory.has_direction = true;
+  }
+
+  Emitter& m_;
+  Sinumerik& own_;
+  const BlockWords& words_;
+  Turn turn_;
+  PlaneAxes axes_;
+  Span where_;
+};
+
+}  // namespace
+
+/// Computes the end point: each word by G90 or G91 or by its own AC, IC (spec/sinumerik 3.3); AP, RP in the plane (12.3).
+Status Sinumerik::target(const BlockContext& m, Axes& to, AxisMask& named) const {
+  KADR_TRY(m.axis_words(to, named));
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const char letter = m.letters.axis_letter[a];
+    if (letter == 0 || !m.has(letter)) continue;
+    const WordForm form = words.forms[static_cast<std::size_t>(letter - 'A')];
+    if (form == WordForm::plain && !words.machine) continue;
+    const bool is_length = m.def.address(letter).unit == WordUnit::length;
+    const double value = m.value(letter) * (is_length ? m.unit_scale() : 1.0);
+    const double now = m.position.programmed[a];
+    switch (form) {
+      case WordForm::incremental: to[a] = now + value; break;
+      case WordForm::direct:
+      case WordForm::positive:
+      case WordForm::negative: {
+        double way = std::fmod(value - now, 360.0);
+        if (form == WordForm::direct && way > 180) way -= 360;
+        if (form == WordForm::direct && way <= -180) way += 360;
+        if (form == WordForm::positive && way < 0) way += 360;
+        if (form == WordForm::negative && way > 0) way -= 360;
+        to[a] = now + way;
+        break;
+      }
+      default: to[a] = value; break;
+    }
+    if (!(std::fabs(to[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, m.where(letter), letter, to[a]));
+  }
+  if (!words.has("AP") && !words.has("RP")) return {};
+  const PlaneAxes plane = m.modal.axes;
+  const SinCos turn = sincos_deg(memory.polar_angle);
+  to[plane.first] = memory.pole.x + memory.polar_radius * turn.cos;
+  to[plane.second] = memory.pole.y + memory.polar_radius * turn.sin;
+  named |= AxisMask{1} << plane.first | AxisMask{1} << plane.second;
+  return {};
+}
+
+Status Sinumerik::arc(Emitter& m, const Call& call, Turn turn) { return ArcMotion(m, *this, turn).run(call.where); }
+
+/// Adds the rounding or chamfer of the block to its motion, and notes the direction for CT.
+void Sinumerik::note_motion(Emitter& m, Motion& motion) {
+  words.moved = true;
+  if (m.modal.contour != CompensationPhase::off) note_compensation(m, motion, m.moved_from);
+  const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::rapid || is_arc(motion.kind);
+  const double unit = m.unit_scale();
+  double rounding = memory.rounding, chamfer = 0;
+  if (words.has("RND")) rounding = words.number("RND") * unit;
+  if (words.has("CHR")) chamfer = words.number("CHR") * unit, rounding = 0;
+  const AxisMask plane = AxisMask{1} << motion.first | AxisMask{1} << motion.second;
+  if (cuts && (motion.named & plane) != 0 && (rounding > 0 || chamfer > 0)) {
+    auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
+    CornerData corner;
+    corner.rounding = rounding * m.transform.corner_scale(m.modal.axes);
+    corner.chamfer = chamfer * m.transform.corner_scale(m.modal.axes);
+    detail->contour = corner;
+    motion.detail = std::move(detail);
+  }
+  if (!m.transform.identity) {
+    auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
+    detail->programmed = m.position.programmed;
+    detail->has_programmed = true;
+    motion.detail = std::move(detail);
+  }
+  if (!is_arc(motion.kind) && (motion.named & plane) != 0) {
+    const Axes from = m.transform.to_programmed(previous_);
+    const Vec2 way = in_plane(m.position.programmed, m.modal.axes) - in_plane(from, m.modal.axes);
+    if (length(way) > tol::same_point) {
+      memory.direction = way;
+      memory.direction_plane = m.modal.axes;
+      memory.has_direction = true;
+    }
+  }
+  previous_ = m.position.work;
+}
+
+/// Plain blocks of lines follow each other without further checks while nothing of the dialect acts between them.
+bool Sinumerik::lines_follow(const BlockContext&) const { return false; }
+
+ArcRule Sinumerik::arc_rule(const BlockContext& m) const {
+  ArcRule rule = m.plain_arc_rule();
+  rule.by_words = false;
+  return rule;
+}
+
+}  // namespace kadr::sinumerik

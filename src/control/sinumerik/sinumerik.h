@@ -1,0 +1,165 @@
+#pragma once
+// Sinumerik: the dialect of Sinumerik 840D sl and 828D (spec/sinumerik). A block with names is read by lang/named when it is executed; its
+// assignments act from left to right, and what remains are words, which the table of the control's file executes like those of any other
+// control. Only src/control/sinumerik includes this file.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "control/dialect.h"
+#include "control/interpreter.h"
+#include "control/sinumerik/memory.h"
+#include "control/sinumerik/program_index.h"
+#include "lang/named/named_block.h"
+
+namespace kadr::sinumerik {
+
+/// What the words of the block say besides the words of the table.
+struct BlockWords {
+  std::array<WordForm, 26> forms{};       // of axis words and centres, by letter
+  std::map<std::string, double> numbers;  // CR, AR, AP, RP, TURN, CHR, RND …
+  std::map<std::string, WordForm> number_forms;
+  std::map<std::string, Span> places;
+  std::optional<std::uint32_t> edge;  // D
+  Span edge_where;
+  bool machine = false;    // G53, G153, SUPA
+  bool basic_off = false;  // G153, SUPA
+  bool returns = false;    // M17, RET
+  bool moved = false;      // the block has moved an axis
+  bool has(const std::string& name) const { return numbers.contains(name); }
+  double number(const std::string& name) const { return numbers.at(name); }
+  Span where(const std::string& name) const { return places.at(name); }
+};
+
+/// A program with this name among the files of the run.
+struct FoundProgram {
+  std::uint16_t reader = 0;
+  Position begin;
+};
+
+/// The value that a block has replaced, for the case that the block fails.
+struct WrittenValue {
+  std::shared_ptr<Variable> variable;  // nullptr: an R parameter, or a settable frame if `value` is a frame
+  std::size_t place = 0;
+  Value value;
+};
+
+class Sinumerik final : public Dialect {
+ public:
+  explicit Sinumerik(const RunLimits& limits) : folder_(limits.files) {}
+
+  // ---- program
+  std::shared_ptr<const DialectState> snapshot() const override;
+  Status restore(BlockContext& m, const DialectState& from) override;
+  void take_setup(Emitter& m, const Setup& setup) override;
+  bool end_program(Interpreter& m) override;
+  void reword(const BlockContext& m, AlarmReport& report) const override;
+  Result<bool> end_of_file(BlockContext& m) override;
+
+  // ---- blocks
+  bool has_unfinished() const override {
+    return memory.levels.size() > 1 || !memory.repeated.empty() || !memory.levels.front().name.empty();
+  }
+  Result<bool> finish(Interpreter& m) override;
+  Result<bool> statement(Interpreter&) override { return false; }
+  Result<bool> takes_block(Interpreter& m) override;
+  BlockChanges changes_of(const BlockContext&, const Plan&) const override { return BlockChanges::anything; }
+  void after_code(Interpreter& m, const CodeRow& row, std::int32_t code) override;
+  Status after_block(Interpreter& m) override;
+  void keep(BlockContext& m) override;
+  void undo_block(BlockContext& m) override;
+  bool skips_unread() const override { return true; }
+
+  // ---- motion, frames, variables
+  Status target(const BlockContext& m, Axes& to, AxisMask& named) const override;
+  Status arc(Emitter& m, const Call& call, Turn turn) override;
+  void note_motion(Emitter& m, Motion& motion) override;
+  bool lines_follow(const BlockContext& m) const override;
+  ArcRule arc_rule(const BlockContext& m) const override;
+  void refresh_frames(Emitter& m) override;
+  void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) override;
+
+  // ---- used by the parts in this folder
+  Memory memory;
+  BlockWords words;
+
+  Result<Value> evaluate(BlockContext& m, const NamedBlock& block, NamedExpression expression);
+  /// Returns the values that remain on the stack, such as the operands of SET(…), whose last step is left out.
+  Result<std::vector<Value>> evaluate_all(BlockContext& m, const NamedBlock& block, NamedExpression expression);
+  Result<double> number(BlockContext& m, const NamedBlock& block, NamedExpression expression, Span where);
+  std::shared_ptr<Variable> variable(const std::string& name);
+  Result<std::size_t> element(BlockContext& m, const NamedBlock& block, const std::string& name, const Variable& variable,
+                              const std::vector<NamedExpression>& indices, Span where);
+  const ProgramIndex& index(const BlockContext& m, std::uint16_t reader);
+  const ProgramIndex& index(const BlockContext& m) { return index(m, m.program().reader()); }
+  Level& level() { return memory.levels.back(); }
+
+  Status set_programmable(Emitter& m, const Frame& frame, Span where);
+  Status activate_edge(Emitter& m, std::uint32_t edge, Span where);
+  /// Returns false if the tool table has tools, and this one is not among them (spec/sinumerik 5).
+  bool knows_tool(const BlockContext& m, double tool) const;
+  std::optional<std::size_t> axis_named(const BlockContext& m, std::string_view name) const;
+
+  // writing, so that a faulty block can be undone
+  void assign(const std::shared_ptr<Variable>& to, std::size_t place, Value value) {
+    written_.push_back({to, place, std::exchange(to->values[place], std::move(value))});
+  }
+  void assign_parameter(std::size_t index, double value) {
+    written_.push_back({nullptr, index, real(std::exchange(memory.parameters[index], value))});
+  }
+  void assign_settable(std::size_t index, const Frame& frame) {
+    written_.push_back({nullptr, index, frame_value(std::exchange(memory.settable[index], frame))});
+  }
+  // flow.cpp
+  Status jump(Interpreter& m, const NamedBlock& block, const NamedItem& item);
+  Result<bool> structure(Interpreter& m, const NamedBlock& block, Keyword keyword);
+  Status choose(Interpreter& m, const NamedBlock& block);
+  Status repeat_part(Interpreter& m, const NamedBlock& block);
+  // calls.cpp
+  std::optional<FoundProgram> find_program(Interpreter& m, std::string_view written);
+  Status call(Interpreter& m, const FoundProgram& found, const std::string& name, std::vector<Value> arguments,
+              std::vector<std::shared_ptr<Variable>> references, bool has_arguments, std::uint32_t times, Span where);
+  Status procedure(Interpreter& m, const NamedBlock& block);
+  Status leave(Interpreter& m, Span where);
+  Status call_item(Interpreter& m, const NamedBlock& block, const NamedItem& item, std::uint32_t times, bool modal);
+  Status define(Interpreter& m, const NamedBlock& block);
+  Status begin_pass(Interpreter& m);
+  // cycles.cpp
+  static bool is_cycle(std::string_view name);
+  Status run_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
+  // frames.cpp
+  static bool is_frame_statement(std::string_view name);
+  Status frame_statement(Interpreter& m, const NamedBlock& block);
+  Result<Value> frame_function(const std::string& name, const std::vector<Value>& operands, const BlockContext& m, Span where);
+  // system_variables.cpp
+  Result<Value> read_system(BlockContext& m, const std::string& name, const std::vector<Value>& indices, Span where);
+  Status write_system(Interpreter& m, const std::string& name, const std::vector<Value>& indices, const Value& value, Span where);
+
+ private:
+  friend class BlockRun;
+  struct State;
+  bool needs_names(const BlockContext& m) const;
+  Result<bool> run_named(Interpreter& m);
+
+  std::set<int> table_;  // tools of the set-up
+  std::string folder_;
+  std::vector<std::unique_ptr<ProgramIndex>> indices_;                       // by file
+  std::unordered_map<std::string, std::shared_ptr<const NamedBlock>> read_;  // blocks as read, by their text
+  std::map<std::string, std::optional<FoundProgram>> found_;
+  std::unique_ptr<Block> scratch_ = std::make_unique<Block>();
+  Modes before_;
+  std::vector<WrittenValue> written_;  // values that the block has replaced, in their order
+  bool kept_ = false;
+  Axes previous_{};              // work coordinates before the motion that comes next
+  bool circle_by_name_ = false;  // the block is CIP or CT, executed as an arc
+};
+
+Sinumerik& sinumerik_of(const BlockContext& m);
+
+}  // namespace kadr::sinumerik

@@ -1,0 +1,196 @@
+// The system variables that Kadr has (spec/sinumerik 17): $P_UIFR and other frames, $AA_IW, $P_EP, $P_GG, tool data. Used by
+// control/sinumerik.
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/sinumerik/sinumerik.h"
+
+namespace kadr::sinumerik {
+namespace {
+
+/// Returns the place of the code in force in its group, counted as in the manual's list (spec/sinumerik 4.1).
+double place_in_group(const BlockContext& m, double group) {
+  const std::string name = std::to_string(static_cast<int>(group));
+  for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
+    if (m.def.groups[g].name != name) continue;
+    const std::int16_t row = m.modal.rows[g];
+    if (row < 0) return 0;
+    const std::string& code = m.def.codes[static_cast<std::size_t>(row)].code;
+    static const std::map<std::string, std::vector<std::string>> lists = {{"1", {"G0", "G1", "G2", "G3"}},
+                                                                          {"6", {"G17", "G18", "G19"}},
+                                                                          {"7", {"G40", "G41", "G42"}},
+                                                                          {"8", {"G500", "G54", "G55", "G56", "G57"}},
+                                                                          {"10", {"G60", "G64", "G641", "G642", "G643", "G644", "G645"}},
+                                                                          {"12", {"G601", "G602", "G603"}},
+                                                                          {"13", {"G70", "G71", "G700", "G710"}},
+                                                                          {"14", {"G90", "G91"}},
+                                                                          {"15", {"G93", "G94", "G95", "G96", "G97"}},
+                                                                          {"18", {"G450", "G451"}}};
+    const auto list = lists.find(name);
+    if (list == lists.end()) return 0;
+    const auto at = std::find(list->second.begin(), list->second.end(), code);
+    if (at != list->second.end()) return static_cast<double>(at - list->second.begin() + 1);
+    if (name == "8" && code.size() == 4) return std::strtod(code.c_str() + 1, nullptr) - 505 + 6;
+    return 0;
+  }
+  return 0;
+}
+
+Result<double> component(const Frame& frame, std::size_t axis, const std::string& name, Span where) {
+  if (name == "TR") return frame.shift[axis];
+  if (name == "FI") return frame.fine[axis];
+  if (axis < 3 && (name == "RT" || name == "SC" || name == "MI")) {
+    const FrameParts parts = parts_of(frame.linear);
+    if (name == "RT") return parts.angles[axis];
+    if (name == "SC") return std::fabs(parts.scale[axis]);
+    return parts.scale[axis] < 0 ? 1.0 : 0.0;
+  }
+  return fail(alarm(AlarmId::frame_component, where, std::string_view(name)));
+}
+
+Status set_component(Frame& frame, std::size_t axis, const std::string& name, double value, Span where) {
+  if (name == "TR") frame.shift[axis] = value;
+  else if (name == "FI") frame.fine[axis] = value;
+  else if (axis < 3 && (name == "RT" || name == "SC" || name == "MI")) {
+    FrameParts parts = parts_of(frame.linear);
+    if (name == "RT") parts.angles[axis] = value;
+    else if (name == "SC") parts.scale[axis] = parts.scale[axis] < 0 ? -value : value;
+    else parts.scale[axis] = std::fabs(parts.scale[axis]) * (value != 0 ? -1 : 1);
+    frame.linear = matrix_of(parts);
+  } else {
+    return fail(alarm(AlarmId::frame_component, where, std::string_view(name)));
+  }
+  return {};
+}
+
+struct FrameAccess {
+  Frame* frame = nullptr;
+  std::size_t indices = 0;  // number of indices before the axis and the component
+};
+
+constexpr int lengths[] = {3, 4, 5};
+
+}  // namespace
+
+std::optional<std::size_t> Sinumerik::axis_named(const BlockContext& m, std::string_view name) const {
+  const auto found = std::find(m.axis_names.begin(), m.axis_names.end(), name);
+  if (found == m.axis_names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - m.axis_names.begin());
+}
+
+// NOLINTNEXTLINE(readability-function-size): one branch per variable
+Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, const std::vector<Value>& indices, Span where) {
+  const auto unknown = [&] { return fail(alarm(AlarmId::name_unknown, where, std::string_view(name))); };
+  const auto index = [&](std::size_t i) { return i < indices.size() ? std::round(indices[i].number) : -1.0; };
+  const auto axis = [&](std::size_t i) {
+    return i < indices.size() && indices[i].type == Type::axis ? axis_named(m, indices[i].text) : std::nullopt;
+  };
+  const auto of_frame = [&](const Frame& frame, std::size_t first) -> Result<Value> {
+    if (indices.size() == first) return frame_value(frame);
+    const auto of = axis(first);
+    if (!of || indices.size() != first + 2) return unknown();
+    const auto value = component(frame, *of, indices[first + 1].text, where);
+    if (!value) return fail(value.error());
+    return real(*value);
+  };
+  if (name == "$PI") return real(pi);
+  if (name == "$P_UIFR") {
+    const double n = index(0);
+    if (!(n >= 0) || n >= double{settable_frames}) return fail(alarm(AlarmId::index_range, where, std::string_view(name), n));
+    return of_frame(memory.settable[static_cast<std::size_t>(n)], 1);
+  }
+  if (name == "$P_IFRAME") return of_frame(memory.active, 0);
+  if (name == "$P_PFRAME") return of_frame(memory.programmable, 0);
+  if (name == "$P_ACTFRAME") return of_frame(chained(memory.active, memory.programmable), 0);
+  if (const auto of = axis(0); of && indices.size() == 1) {
+    if (name == "$AA_IW" || name == "$P_EP") return real(m.position.programmed[*of]);
+    if (name == "$AA_IM") return real(m.position.machine[*of]);
+    if (name == "$AA_IB") return real(m.position.machine[*of] - m.frames.length[*of]);
+    return unknown();
+  }
+  if (name == "$P_TOOLNO") return integer(m.modal.tool);
+  if (name == "$P_TOOL") return integer(memory.edge);
+  if (name == "$P_TOOLR") return real(m.radius_in_force());
+  if (name == "$P_TOOLL" && index(0) == 1) return real(m.frames.length[m.modal.axes.normal]);
+  if (name == "$P_F") return real(m.modal.feed);
+  if (name == "$P_S" && (indices.empty() || index(0) == 1)) return real(m.modal.rpm);
+  if (name == "$P_SDIR" && (indices.empty() || index(0) == 1))
+    return integer(m.modal.spindle == SpindleDir::cw ? 3 : m.modal.spindle == SpindleDir::ccw ? 4 : 5);
+  if (name == "$P_GG") return integer(place_in_group(m, index(0)));
+  if (name == "$P_SIM" || name == "$P_ISTEST" || name == "$P_SEARCH") return boolean(false);
+  if (name == "$P_STACK") return integer(static_cast<double>(memory.levels.size() - 1));
+  if (name.starts_with("$TC_DP") && indices.size() == 2) {
+    const int number = std::atoi(name.c_str() + 6);
+    const auto tool = static_cast<std::uint32_t>(std::max(0.0, index(0))), edge = static_cast<std::uint32_t>(std::max(0.0, index(1)));
+    const auto own = memory.edges.find({tool, edge});
+    const bool in_table = edge == 1 && tool < m.tables.offsets.size();
+    if (own == memory.edges.end() && !in_table) return fail(alarm(AlarmId::edge_missing, where, double(tool), double(edge)));
+    const ToolOffset& offset = own != memory.edges.end() ? own->second : m.tables.offsets[tool];
+    if (number == lengths[0]) return real(offset.length);
+    if (number == 6) return real(offset.radius);
+    if (number == 7) return real(offset.corner);
+    if (number == 12) return real(offset.length_wear);
+    if (number == 15) return real(offset.radius_wear);
+    return unknown();
+  }
+  return unknown();
+}
+
+Status Sinumerik::write_system(Interpreter& m, const std::string& name, const std::vector<Value>& indices, const Value& value, Span where) {
+  const auto unknown = [&] { return fail(alarm(AlarmId::name_unknown, where, std::string_view(name))); };
+  const auto index = [&](std::size_t i) { return i < indices.size() ? std::round(indices[i].number) : -1.0; };
+  const auto into = [&](Frame& frame, std::size_t first) -> Status {
+    if (indices.size() == first) {
+      if (value.type != Type::frame) return fail(alarm(AlarmId::conversion_impossible, where, name_of(value.type), "FRAME"));
+      frame = *value.frame;
+      return {};
+    }
+    const auto of = indices.size() == first + 2 && indices[first].type == Type::axis ? axis_named(m, indices[first].text) : std::nullopt;
+    if (!of) return unknown();
+    if (!value.is_number()) return fail(alarm(AlarmId::conversion_impossible, where, name_of(value.type), "REAL"));
+    return set_component(frame, *of, indices[first + 1].text, value.number, where);
+  };
+  if (name == "$P_UIFR") {
+    const double n = index(0);
+    if (!(n >= 0) || n >= double{settable_frames}) return fail(alarm(AlarmId::index_range, where, std::string_view(name), n));
+    Frame frame = memory.settable[static_cast<std::size_t>(n)];
+    KADR_TRY(into(frame, 1));
+    if (!is_rotation(frame.linear)) return fail(alarm(AlarmId::not_available, where, "$P_UIFR SC, MI"));
+    assign_settable(static_cast<std::size_t>(n), frame);
+    return {};
+  }
+  if (name == "$P_PFRAME") {
+    Frame frame = memory.programmable;
+    KADR_TRY(into(frame, 0));
+    return set_programmable(m, frame, where);
+  }
+  if (name == "$P_IFRAME") {
+    Frame frame = memory.active;
+    KADR_TRY(into(frame, 0));
+    if (!is_rotation(frame.linear)) return fail(alarm(AlarmId::not_available, where, "$P_IFRAME SC, MI"));
+    memory.active = frame;
+    m.change_frames();
+    return {};
+  }
+  if (name.starts_with("$TC_DP") && indices.size() == 2) {
+    const int number = std::atoi(name.c_str() + 6);
+    const double tool = index(0), edge = index(1);
+    if (!value.is_number() || !(tool >= 1 && tool <= 32000) || !(edge >= 1 && edge <= 9)) return unknown();
+    const auto t = static_cast<std::uint32_t>(tool), e = static_cast<std::uint32_t>(edge);
+    const bool in_table = e == 1 && t < m.tables.offsets.size();
+    ToolOffset& offset = in_table ? m.tables.offsets[t] : memory.edges[{t, e}];
+    if (in_table) m.journal.keep(m.tables.offsets[t]);
+    if (number == lengths[0]) offset.length = value.number;
+    else if (number == 6) offset.radius = value.number;
+    else if (number == 7) offset.corner = value.number;
+    else if (number == 12) offset.length_wear = value.number;
+    else if (number == 15) offset.radius_wear = value.number;
+    else if (number != 1 && number != 2) return fail(alarm(AlarmId::not_available, where, std::string_view(name)));
+    if (m.modal.tool == t && memory.edge == e) m.change_frames();
+    return {};
+  }
+  return unknown();
+}
+
+}  // namespace kadr::sinumerik
