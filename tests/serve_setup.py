@@ -86,6 +86,28 @@ def keeping(server, folder):
     expect('error' not in watching.ask('setup_form') and 'error' in watching.ask('keep_setup', file='x.json', digest=None, values={}), 'without the token it looks')
 
 
+def blank_and_tools(server, folder):
+    """The blank by a comment or by the set-up, tools with what is assumed of them; both are kept in files that the next proposals use."""
+    page = looker(server)
+    page.open('sub/plate.nc', control='fanuc')
+    proposals = page.ask('proposals')
+    expect(proposals['stock'] == 'box:-40,-30,-20,40,30,0' and proposals['stock_by'] == {'line': 1, 'text': 'PLATE 80X60X20'}, f'by the comment: {proposals["stock"]} {proposals.get("stock_by")}')
+    tool = proposals['tools'][0]
+    expect(tool['known'] and tool['diameter'] == 10 and tool['holder'] and 'assumed' in tool['from'] and 'line 2' in tool['from'], f'what is assumed: {tool}')
+    expect(proposals['keep'] == {'file': 'sub/plate.toml', 'digest': None}, f'its tools file: {proposals["keep"]}')
+    for wrong in ({'file': 'sub/plate.json', 'tools': [tool]}, {'file': '../plate.toml', 'tools': [tool]}, {'file': 'sub/plate.toml', 'tools': []}, {'file': 'sub/plate.toml', 'tools': [{'number': 1, 'kind': 'flat'}]}):
+        expect('error' in page.ask('keep_tools', digest=None, **wrong), f'not kept: {wrong}')
+    kept = page.ask('keep_tools', file='sub/plate.toml', digest=None, tools=[tool])
+    expect('digest' in kept and 'diameter = 10\n' in (folder / 'sub/plate.toml').read_text() and 'assumed' not in (folder / 'sub/plate.toml').read_text(), f'kept: {kept}')
+    expect('digest' in page.ask('keep_setup', file='sub/plate.json', digest=None, values={'stock': 'box:-50,-50,-30,50,50,0', 'fixtures': ['box:60,0,0,70,10,10']}), 'the blank is kept in the set-up')
+    expect(page.ask('keep_tools', file='sub/plate.toml', digest=None, tools=[tool])['error'].get('changed'), 'not as if it were new')
+    expect('digest' in page.ask('keep_tools', file='sub/plate.toml', digest=kept['digest'], tools=[{**tool, 'diameter': 12}]), 'another version')
+    page.open('sub/plate.nc', control='fanuc', setup='sub/plate.json')
+    proposals = page.ask('proposals')
+    expect(proposals['stock'] == 'box:-50,-50,-30,50,50,0' and proposals['stock_by'] == {'line': 0, 'text': 'sub/plate.json'} and proposals['fixtures'] == ['box:60,0,0,70,10,10'], f'by the set-up: {proposals["stock"]}')
+    expect(proposals['tools'][0]['from'] == 'sub/plate.toml' and proposals['tools'][0]['diameter'] == 12 and proposals['keep']['digest'], f'by the file: {proposals["tools"]}')
+
+
 def faults(server):
     page = looker(server)
     page.open('faulty.nc', control='fanuc')
@@ -105,15 +127,17 @@ def main():
         folder = Path(above) / 'programs'
         (folder / 'sub').mkdir(parents=True)
         (folder / 'sub/part.nc').write_text(PROGRAM)
+        (folder / 'sub/plate.nc').write_text('(PLATE 80X60X20)\n(T1 10 MM ENDMILL)\nG21 G90 G54\nT1 M6\nS1000 M3\nG0 X-20. Y0 Z5.\nG1 Z-5. F200.\nX20.\nG0 Z5.\nM30\n')
         (folder / 'sub/tools.nc').write_text('G21 G90 G54\nG0 X1.\nM30\n')
         (folder / 'faulty.nc').write_text('G54\nG999\nG55\nM30\n')
         (folder / 'lathe.nc').write_text('G21\nT0101\nG97 S500 M3\nG0 X60. Z2.\nG42 G1 X50. Z0 F0.2\nX40.\nG40 X60.\nM30\n')
         server = Server(kadr, folder, '--open')
         first_form(server, folder, kadr)
         keeping(server, folder)
+        blank_and_tools(server, folder)
         faults(server)
         expect(server.process.poll() is None and server.end() == 130, 'the server still stands')
-    for name in ('setup_form', 'keep_setup'):
+    for name in ('setup_form', 'keep_setup', 'keep_tools'):
         expect(f'answer.{name}' in seen and f'question.{name}' in seen, f'{name} has been held against the schema')
     return result()
 

@@ -17,7 +17,7 @@ CYRILLIC = re.compile('[А-Яа-яЁё]')
 HOLE = re.compile(r'\{\{|\}\}|(\{\d*(?::[^{}]*)?\})')
 # Files whose Russian words Kadr reads, in programs, or compares letters with.
 READS_RUSSIAN = {
-    'src/lang/block/lexer.cpp', 'src/lang/text/encoding.cpp', 'src/lang/text/end_mark.h', 'src/lang/text/stock_comment.cpp',
+    'src/lang/block/lexer.cpp', 'src/lang/text/encoding.cpp', 'src/lang/text/end_mark.h', 'src/lang/text/shop_words.h',
     'src/lang/text/tool_figures.cpp',
     'src/lang/text/tool_size.cpp', 'src/lang/text/tool_words.cpp', 'src/lang/text/written_letters.cpp',
     'src/out/text/explain/asked_code.cpp', 'src/out/text/explain/code_page.cpp', 'src/session/milling/mill_request.cpp',

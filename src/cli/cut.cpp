@@ -16,6 +16,7 @@
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
 #include "config/language.h"
+#include "config/setup/setup_blank.h"
 #include "out/picture/part_page.h"
 #include "out/text/alarm_print.h"
 #include "out/text/cut_load_text.h"
@@ -26,6 +27,7 @@
 #include "session/cutting/cut_run.h"
 #include "session/cutting/cut_setup.h"
 #include "stock/surface/surface.h"
+#include "texts/cut_command.h"
 
 namespace kadr::cli {
 namespace {
@@ -157,6 +159,17 @@ void print_to_terminal(Found& found, std::FILE* blocks, CutRun& run) {
   run.on_block([blocks](const BlockLoad& load) { write_data(blocks, blocks_row(load)); });
 }
 
+/// Takes blank and fixtures from the set-up file where the command line names none.
+void take_setup_blank(CutOptions& options, const Job& job) {
+  if (job.setup_file.empty()) return;
+  const auto source = setup_source(job.setup_file);
+  const SetupBlank blank = source ? setup_blank(source->json) : SetupBlank();
+  if (options.fixtures.empty()) options.fixtures = blank.fixtures;
+  if (!options.stock.empty() || blank.stock.empty()) return;
+  options.stock = blank.stock;
+  write_message(translated(texts::cut_command::stock_by_setup, options.stock) + "\n");
+}
+
 }  // namespace
 
 int cut(const CutOptions& given) {
@@ -165,6 +178,7 @@ int cut(const CutOptions& given) {
   std::optional<Mesh> part;
   if (!can_write(options)) return wrong_usage;
   auto job = make_job(options.run, options.run.programs.front());
+  if (job) take_setup_blank(options, *job);
   const auto plan =
       job && find_tools_and_end(options, cut_job) && find_part(options, part) ? plan_cut(options, *job, part, cut_job.tools) : std::nullopt;
   if (!plan || (!plan->turned && !find_cut_job(options, cut_job, part))) return interrupted() ? interrupted_status() : wrong_usage;

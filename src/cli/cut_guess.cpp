@@ -50,14 +50,21 @@ bool take_stock(const StockGuess& guess, const ProgramRun& run, const Job& job, 
                 std::string& stock) {
   const Vec3 zero = run.path().zero();
   const bool turned = is_of_lathe(job) || turns || turns_part(run, guess);
-  const TurnedHints hints = turned ? turned_hints(run) : TurnedHints();
-  const std::optional<StatedBlank>& stated = hints.stated;
+  const BlankHints hints = blank_hints(run);
   stock = guess.text(zero, turned, radii_of(tools), hints);
+  const std::optional<StatedBlank>& bar = hints.turned.stated;
   if (stock.empty()) complain(translated(texts::cut_command::cuts_nothing));
-  else if (!stated) write_message(translated(texts::cut_command::stock_guessed, stock) + "\n");
-  else if (stated->size.length) write_message(translated(texts::cut_command::stock_stated, stock, stated->line, stated->text) + "\n");
-  else write_message(translated(texts::cut_command::diameter_stated, stock, stated->line, stated->text) + "\n");
+  else if (turned && bar && bar->size.length)
+    write_message(translated(texts::cut_command::stock_stated, stock, bar->line, bar->text) + "\n");
+  else if (turned && bar) write_message(translated(texts::cut_command::diameter_stated, stock, bar->line, bar->text) + "\n");
+  else if (!turned && hints.box) write_message(translated(texts::cut_command::box_stated, stock, hints.box->line, hints.box->text) + "\n");
+  else write_message(translated(texts::cut_command::stock_guessed, stock) + "\n");
   return !stock.empty();
+}
+
+/// Returns the form of an insert in figures: its angle, or the width of a grooving insert.
+std::string shape_of_insert(const ToolGeometry& tool) {
+  return tool.insert.width > 0 ? fmt::format("{:g} mm", tool.insert.width) : fmt::format("{:g}°", tool.angle);
 }
 
 /// `lathe`: true if the program is that of a lathe. Its offset table states noses, not mills, and the cut takes the inserts of unknown
@@ -72,7 +79,9 @@ bool take_tools(const std::vector<ProposedTool>& proposals, bool lathe, ToolLibr
       continue;
     }
     tools.tools.push_back(tool);
-    write_message(translated(texts::cut_command::tool_guessed, tool.number, name_of(tool.kind), tool.diameter, proposed.from) + "\n");
+    if (tool.kind == ToolKind::turning)
+      write_message(translated(texts::cut_command::insert_guessed, tool.number, shape_of_insert(tool), tool.corner, proposed.from) + "\n");
+    else write_message(translated(texts::cut_command::tool_guessed, tool.number, name_of(tool.kind), tool.diameter, proposed.from) + "\n");
   }
   if (!unknown.empty()) complain(translated(texts::cut_command::tools_unknown, unknown));
   return unknown.empty();

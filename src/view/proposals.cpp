@@ -11,6 +11,7 @@
 
 #include "out/program/tools_template.h"
 #include "session/cutting/offset_insert.h"
+#include "session/insert_proposals.h"
 #include "session/tool_proposals.h"
 #include "texts/view.h"
 #include "view/instant.h"
@@ -18,6 +19,9 @@
 namespace kadr {
 namespace {
 
+// Assumed bodies of tools of which only the cutting part is known, mm: a collet chuck, and how far tools stick out of it at least.
+constexpr double least_stick_out = 40, holder_face = 32, holder_body = 40, holder_height = 45;
+constexpr double holder_by_tool = 1.2;                   // least diameter of the holder, in diameters of the tool
 constexpr double drill_angle = 118, chamfer_angle = 90;  // usual tip angles of drills and chamfer tools, degrees
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
@@ -39,6 +43,9 @@ bool take_setup(const ProgramRun& run, ProposedTool& to) {
   return true;
 }
 
+/// True for tools that have no kind of their own in a tools file: they are taken as cylinders.
+bool is_cylinder(ToolWord kind) { return kind == ToolWord::tap || kind == ToolWord::reamer; }
+
 /// Sets the kind and the dimensions of the tool from a comment. Dimensions that the comment does not state get usual values for this kind
 /// of tool. Returns false if the comment does not name the kind.
 bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
@@ -53,7 +60,22 @@ bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   if (t.kind == ToolKind::drill) t.angle = proposal.tool_data.angle.value_or(drill_angle);
   if (t.kind == ToolKind::chamfer) t.angle = proposal.tool_data.angle.value_or(chamfer_angle);
   if (t.kind == ToolKind::taper) t.angle = proposal.tool_data.angle.value_or(0) / 2;
+  if (kind.empty() && is_cylinder(proposal.tool_data.kind)) {
+    t.kind = ToolKind::flat;
+    to.from += "; " + translated(texts::view::taken_as_cylinder);
+    return true;
+  }
   return !kind.empty();
+}
+
+/// Assumes flutes and stick-out that no comment states, with a holder, and says so.
+void assume_body(ProposedTool& to) {
+  ToolGeometry& t = to.tool;
+  if (!assume_heights(t)) return;
+  t.length = std::max(t.length, least_stick_out);
+  const double face = std::max(holder_face, holder_by_tool * t.diameter), body = std::max(holder_body, holder_by_tool * t.diameter);
+  t.holder = {{face, 0}, {body, holder_height}};
+  if (tool_fault_message(t).empty()) to.from += "; " + translated(texts::view::usual_heights, t.flutes, t.length, face);
 }
 
 bool is_lathe(const ProgramRun& run) { return run.opened().def->behaviour.lathe != Lathe::none; }
@@ -81,22 +103,49 @@ ToolGeometry unknown_insert(std::uint32_t number) {
   return tool;
 }
 
-ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std::uint32_t number) {
+/// Takes the insert that a comment describes. `only_sized`: only if the comment tells a designation or a width, which tells more than the
+/// offset table does.
+bool take_insert_comment(const ProgramRun& run, const InsertProposals& inserts, std::uint32_t called_at, bool only_sized,
+                         ProposedTool& to) {
+  const auto found = inserts.of(to.tool.number, called_at);
+  if (!found || (only_sized && !found->insert.has_code && !found->insert.width)) return false;
+  const Use* const use = first_use(run, UseKind::length, [&](const Use& u) { return u.tool == to.tool.number && u.number != 0; });
+  const auto& offsets = run.opened().setup.offsets;
+  const auto row = offsets.find(int(use != nullptr ? use->number : to.tool.number));
+  const auto insert = insert_of_comment(found->insert, to.tool.number, row == offsets.end() ? nullptr : &row->second);
+  if (!insert || !tool_fault_message(*insert).empty()) return false;
+  to.tool = *insert;
+  to.from = translated(texts::view::tool_in_line, found->line, found->text) + "; " + translated(texts::view::rest_of_insert);
+  to.known = true;
+  return true;
+}
+
+/// The comments of a program, read for its tools.
+struct ToolTexts {
+  ToolProposals tools;
+  InsertProposals inserts;
+};
+
+ProposedTool by_words(const ProgramRun& run, const ToolTexts& comments, std::uint32_t number) {
   ProposedTool made;
   made.tool.number = number;
   (void)take_setup(run, made);
   const Use* const called = first_use(run, UseKind::tool, [&](const Use& u) { return u.number == number; });
   const std::uint32_t called_at = called == nullptr || called->origin.file != 0 ? 0 : called->origin.line;
-  const auto comment = comments.of(number, called_at);
+  const auto comment = comments.tools.of(number, called_at);
   const bool has_kind = comment && take_comment(*comment, made);
-  const bool rotates = has_kind && made.tool.kind == ToolKind::drill;
-  if (is_lathe(run) && !rotates && take_insert(run, made)) return made;
-  if (const auto open = comment ? std::nullopt : comments.unsure(number, called_at))
+  const bool rotates = has_kind && (made.tool.kind == ToolKind::drill || is_cylinder(comment->tool_data.kind));
+  if (is_lathe(run) && !rotates) {
+    if (take_insert_comment(run, comments.inserts, called_at, true, made)) return made;
+    if (take_insert(run, made)) return made;
+    if (take_insert_comment(run, comments.inserts, called_at, false, made)) return made;
+  }
+  if (const auto open = comment ? std::nullopt : comments.tools.unsure(number, called_at))
     made.from += (made.from.empty() ? "" : "; ") + translated(texts::view::tool_not_sure, open->line, open->text);
   if (is_lathe(run) && !rotates) made.tool = unknown_insert(number);
+  else if (has_kind) assume_body(made);
   else (void)assume_heights(made.tool);
   made.known = has_kind && (rotates || !is_lathe(run)) && tool_fault_message(made.tool).empty();
-  if (made.known) made.from += "; " + translated(texts::view::usual_heights);
   return made;
 }
 
@@ -142,8 +191,8 @@ const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const Pro
 
 std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools* file) {
   const ProgramLines lines = lines_of(run.control());
-  const ToolProposals comments(lines, comments_in_inches(run.control(), run.statistics().extents().units()),
-                               run.opened().def->behaviour.lathe != Lathe::none);
+  const bool inch = comments_in_inches(run.control(), run.statistics().extents().units());
+  const ToolTexts comments{ToolProposals(lines, inch, is_lathe(run)), InsertProposals(is_lathe(run) ? lines : ProgramLines(), inch)};
   std::vector<ProposedTool> tools;
   for (const std::uint32_t number : tools_cutting(run)) {
     const ToolGeometry* const known = file == nullptr ? nullptr : file->tools.find(number);
@@ -171,9 +220,10 @@ std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& t
   };
 }
 
-TurnedHints turned_hints(const ProgramRun& run) {
+BlankHints blank_hints(const ProgramRun& run) {
   const bool inch = comments_in_inches(run.control(), run.statistics().extents().units());
-  return {stated_blank(lines_of(run.control()), inch), run.opened().setup.chuck_face};
+  const ProgramLines lines = lines_of(run.control());
+  return {{stated_blank(lines, inch), run.opened().setup.chuck_face}, stated_box(lines, inch)};
 }
 
 bool is_turning(const ProgramRun& run) {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "config/tools/tool_library.h"
-#include "session/cutting/turning/stated_blank.h"
 #include "view/program_run.h"
 #include "view/stock_guess.h"
 
@@ -44,8 +43,8 @@ std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools
 /// Returns a function that returns the radius in mm of the tool with a given number; 0 if the radius is unknown.
 std::function<double(std::uint32_t tool)> radii_of(const std::vector<ProposedTool>& tools);
 
-/// Returns what the comments of the program and its set-up tell about the blank of a part that rotates.
-TurnedHints turned_hints(const ProgramRun& run);
+/// Returns what the comments of the program and its set-up tell about its blank.
+BlankHints blank_hints(const ProgramRun& run);
 
 /// Returns true if the program was probably written for a lathe: the control is a lathe's or has no Y axis, or arcs are in the plane G18.
 bool is_turning(const ProgramRun& run);

@@ -53,6 +53,13 @@ void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   else wide.most.y = std::min(wide.most.y, at.y - radius);
 }
 
+/// Writes a box for `--stock`, without the noise of a conversion from inches.
+std::string box_text(const Box3& box) {
+  const auto plain = [](double value) { return fmt::format("{:g}", std::round(value * 1e4) / 1e4 + 0.0); };
+  return fmt::format("box:{},{},{},{},{},{}", plain(box.least.x), plain(box.least.y), plain(box.least.z), plain(box.most.x),
+                     plain(box.most.y), plain(box.most.z));
+}
+
 /// down() and up() round to whole mm, so that a box becomes larger: least values are rounded down, greatest values up.
 double down(double value) { return std::floor(value + 1e-3) + 0.0; }
 double up(double value) { return std::ceil(value - 1e-3) + 0.0; }
@@ -139,7 +146,7 @@ bool StockGuess::is_flat(Vec3 zero) const {
          (least.x > -max_margin || most.x < max_margin);
 }
 
-std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of, const TurnedHints& hints) const {
+std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of, const BlankHints& hints) const {
   if (!all_) return {};
   const double highest = top_of(zero.z);
   const Cut cut = turned ? Cut{{{0, *all_}}, {}} : cut_below(highest);
@@ -155,9 +162,10 @@ std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of, 
   const double bottom = down(least.z - margin);
   if (turned) {
     const double radius = std::max({std::fabs(least.x), std::fabs(most.x), std::fabs(least.y), std::fabs(most.y)});
-    return turned_blank_text(hints, {radius, least.z, most.z}, margin);
+    return turned_blank_text(hints.turned, {radius, least.z, most.z}, margin);
   }
   double top = std::round((highest - zero.z) * 1000) / 1000 + 0.0;
+  if (hints.box) return box_text(placed_box(hints.box->size, {least, most}, top));
   if (!(top > bottom)) top = bottom + 1;
   return fmt::format("box:{:g},{:g},{:g},{:g},{:g},{:g}", down(blank.least.x - zero.x), down(blank.least.y - zero.y), bottom,
                      up(blank.most.x - zero.x), up(blank.most.y - zero.y), top);

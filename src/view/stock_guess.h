@@ -9,11 +9,18 @@
 #include <string>
 #include <vector>
 
+#include "session/cutting/stated_box.h"
 #include "session/cutting/turning/stated_blank.h"
 #include "stock/brick/lattice.h"
 #include "view/path_piece.h"
 
 namespace kadr {
+
+/// What else than the path tells the blank.
+struct BlankHints {
+  TurnedHints turned;            // of a part that rotates
+  std::optional<StatedBox> box;  // of a milled part: the size that a comment states
+};
 
 class StockGuess {
  public:
@@ -32,9 +39,9 @@ class StockGuess {
   /// the blank; the paths from this point to the part, and back, are not counted as cutting.
   ///   zero     zero point of the picture
   ///   turned   true if the part rotates about X0 Y0
-  ///   hints    of a part that rotates: what comments and set-up tell
+  ///   hints    what comments and set-up tell; a stated box has its size from there, and its place from the path
   ///   returns  the blank; an empty text if nothing is cut
-  std::string text(Vec3 zero, bool turned, const RadiusOf& radius_of, const TurnedHints& hints = {}) const;
+  std::string text(Vec3 zero, bool turned, const RadiusOf& radius_of, const BlankHints& hints = {}) const;
 
   /// Returns true if the whole path at feed is in one plane through the axis X0 Y0, as is usual on a lathe and rare on a mill.
   bool is_flat(Vec3 zero) const;

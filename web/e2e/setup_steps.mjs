@@ -132,5 +132,72 @@ export function setup_steps({ kadr, page, pictures }) {
       await until("with it", async () => (await text(".setup-head")).includes("the program runs with it"));
       await ended();
     },
+    async "setup: a technologist's day: a program from CAM, its set-up, blank, tools, cut, sheet"() {
+      if (!kadr.put) return "skipped: the made-up session has no set-ups";
+      kadr.put("day.nc", from_cam.replace("BRACKET", "DAY"));
+      await page.goto(kadr.address());
+      await page.reload();
+      await until("the files", () => count(".file-row"));
+      await page.click(".crumbs button >> nth=0");
+      await until("the file", () => count('.file-name:text-is("day.nc")'));
+      const begin = Date.now();
+      let clicks = 0,
+        fields = 0;
+      const click = async (what) => {
+        clicks++;
+        await what.click();
+      };
+      const type = async (name, value) => {
+        fields++;
+        await cell(name).fill(value);
+      };
+      await click(page.locator('.file-name:text-is("day.nc")'));
+      await until("its name", async () => (await text(".source .pane-title"))?.includes("day.nc"));
+      await ended();
+      await click(page.locator("[data-tab=setup_tab]"));
+      await until("its form", async () => (await text(".setup-head"))?.includes("day.json"));
+      for (const [name, value] of [
+        ["G54 X", "-200"],
+        ["G54 Y", "-120"],
+        ["G54 Z", "-310"],
+        ["1 Length", "95"],
+        ["2 Length", "82"],
+      ])
+        await type(name, value);
+      await click(page.locator(".setup-save"));
+      await until("it is in force", async () => (await page.locator(".setup-choice").inputValue()) === "day.json");
+      await ended();
+      await click(page.locator("[data-tab=cut_tab]"));
+      await until("the blank", async () => (await page.locator(".cut input.wide").inputValue()).startsWith("box:"));
+      must((await page.locator(".cut input.wide").inputValue()) === "box:-40,-30,-20,40,30,0", "not by the comment");
+      must((await text(".cut")).includes("STOCK 80 X 60 X 20"), "it does not say by which comment");
+      must((await text(".cut")).includes("assumed"), "it does not say what is assumed");
+      await click(page.locator(".cut-run button.main"));
+      await until("what is left", () => count(".cut .facts"), 120_000);
+      await page.screenshot({ path: join(pictures, "setup_cut.png") });
+      await click(page.locator(".cut-start button", { hasText: "Keep" }));
+      await until("kept", async () => (await toasts()).includes("day.toml"));
+      const kept = JSON.parse(kadr.got("day.json"));
+      must(kept.stock === "box:-40,-30,-20,40,30,0" && kept.work_offsets.G54.X === -200, JSON.stringify(kept));
+      must(kadr.got("day.toml").includes('kind = "drill"'), kadr.got("day.toml"));
+      await ended();
+      await click(page.locator(".topbar button", { hasText: "Set-up sheet" }));
+      await until("the sheet", () => count("dialog .sheet"));
+      must((await text("dialog .sheet")).includes("-310"), "the sheet does not have the zero");
+      const seconds = (Date.now() - begin) / 1000;
+      await page.keyboard.press("Escape");
+      must(clicks <= 8 && fields <= 5, `${clicks} clicks, ${fields} fields`);
+      return `${clicks} clicks, ${fields} fields, ${seconds.toFixed(1)} s`;
+    },
+    async "setup: what was kept is used from then on, and the cut says so"() {
+      if (!kadr.put) return "skipped: the made-up session has no set-ups";
+      await open_again("day.nc");
+      await page.selectOption(".setup-choice", "day.json");
+      await until("with it", async () => (await page.locator(".setup-choice").inputValue()) === "day.json");
+      await ended();
+      await page.click("[data-tab=cut_tab]");
+      await until("its blank", async () => (await text(".cut"))?.includes("by the set-up day.json"));
+      must((await text(".cut")).includes("day.toml"), "the tools are not those of the file");
+    },
   };
 }

@@ -168,6 +168,8 @@ constexpr SetupKey keys[] = {
   {"probe_workpiece.hole.depth", F::number, N::fixed, distance, U::mm, stated, H::probe, "", "30", "", keys_machine::probe_workpiece_hole_depth},
   {"chuck_face", F::number, N::fixed, checked_position, U::mm, null, H::turning, "", "-62", "", keys_machine::chuck_face},
   {"tailstock", F::number, N::fixed, checked_position, U::mm, null, H::turning, "", "0", "", keys_machine::tailstock},
+  {"stock", F::text, N::fixed, any, U::none, null, H::nothing, "", R"("box:-60,-40,-25,60,40,0")", "", keys_machine::stock},
+  {"fixtures", F::texts, N::any, any, U::none, null, H::nothing, "", R"(["box:60,-40,-25,80,40,10"])", "", keys_machine::fixtures},
 
   {"clock", F::text, N::fixed, any, U::none, null, H::clock, "", R"("2014-05-18T15:32:41")", "", keys_logic::clock},
   {"ini", F::text, N::fixed, any, U::none, null, H::ini, "", R"("machine.ini")", "", keys_logic::ini},

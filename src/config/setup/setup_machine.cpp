@@ -155,6 +155,9 @@ Readers readers_of_machine(Setup& s) {
       {"kinematics", or_null([&](const Json& v, const std::string& k) { kinematics(v, k, s.kinematics); })},
       {"chuck_face", to_position(s.chuck_face)},
       {"tailstock", to_position(s.tailstock)},
+      // setup_blank() reads these two: a run does not need them
+      {"stock", or_null([](const Json& v, const std::string& k) { (void)word(v, k); })},
+      {"fixtures", or_null([](const Json& v, const std::string& k) { (void)list(v, k, word); })},
       {"probe_workpiece", or_null([&](const Json& v, const std::string& k) { probe_workpiece(v, k, s); })},
   };
 }

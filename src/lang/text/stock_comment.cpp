@@ -8,40 +8,21 @@
 #include "lang/text/stock_comment.h"
 
 #include <algorithm>
-#include <array>
 
 #include "base/ascii.h"
-#include "lang/text/tool_comment_tokens.h"
+#include "lang/text/shop_words.h"
+#include "lang/text/stock_numbers.h"
 
 namespace kadr {
 namespace {
 
-constexpr double inch_in_mm = 25.4;
-constexpr double greatest_size = 10'000;  // mm; no blank is larger
-
-bool is_one_of(std::string_view words, std::string_view word) {
-  for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
-  }
-  return false;
-}
-
-constexpr std::string_view bar_words = "BAR BARSTOCK ROUND TUBE TUBING PIPE ПРУТОК КРУГ ТРУБА";
-constexpr std::string_view blank_words = "STOCK BLANK BILLET MATERIAL MATL RAW ROHTEIL ЗАГОТОВКА ЗАГОТОВКИ ЗАГ";
 // Comments with these words are about tools, jaws or work, not about the blank.
 constexpr std::string_view words_of_others =
     "BORING TURN TURNING FACE FACING JAW JAWS PRESSURE DRILL DRILLING INSERT CUT CUTTER STOP PULL PULLER REMOVE LEAVE TOOL BROACH";
-constexpr std::string_view diameter_words = "D DIA DIAM DIAMETER OD Ф ДИАМЕТР";
-constexpr std::string_view bore_words = "ID BORE ОТВЕРСТИЕ";
-constexpr std::string_view length_words = "L LG LEN LENGTH LONG ДЛИНА ДЛИНОЙ";
 
 enum class StockSize { unknown, diameter, bore, length };
 
-struct StockNumber {
-  double value = 0;  // in the unit of the comment, or in mm if has_unit
-  bool has_unit = false;
-  std::size_t first = 0, end = 0;  // tokens of the number with its unit
+struct BlankNumber : StockNumber {
   StockSize size = StockSize::unknown;
 };
 
@@ -51,7 +32,7 @@ std::vector<CommentToken> from_clause_of_blank(std::vector<CommentToken> tokens)
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const CommentToken& t = tokens[i];
     if (t.is == CommentToken::Is::sign && (t.text == "," || t.text == ":" || t.text == ";")) clause = i + 1;
-    if (t.is == CommentToken::Is::word && (is_one_of(bar_words, t.text) || is_one_of(blank_words, t.text))) {
+    if (t.is == CommentToken::Is::word && (is_one_of(stock_bar_words, t.text) || is_one_of(stock_blank_words, t.text))) {
       tokens.erase(tokens.begin(), tokens.begin() + std::ptrdiff_t(clause));
       break;
     }
@@ -68,11 +49,11 @@ class StockReading {
 
   StockComment sizes() {
     if (!is_of_blank()) return {};
-    read_numbers();
-    for (StockNumber& number : numbers_) number.size = labelled(number);
+    for (const StockNumber& number : stock_numbers(tokens_)) numbers_.push_back(BlankNumber{number, StockSize::unknown});
+    for (BlankNumber& number : numbers_) number.size = labelled(number);
     guess_unlabelled();
     StockComment found;
-    for (const StockNumber& number : numbers_) take(number, found);
+    for (const BlankNumber& number : numbers_) take(number, found);
     if (found.bore && found.diameter && *found.bore >= *found.diameter) return {};
     return found;
   }
@@ -90,38 +71,19 @@ class StockReading {
     bool named = false;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (is_word(i, words_of_others) || (is_word(i, "T") && is_figure(i + 1))) return false;
-      named = named || is_word(i, bar_words) || is_word(i, blank_words);
+      named = named || is_word(i, stock_bar_words) || is_word(i, stock_blank_words);
     }
     return named;
   }
 
-  /// Reads a number, with the fraction after it (5-1/2) and its unit.
-  void read_numbers() {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (!is_figure(i) || tokens_[i].is_broken) continue;
-      StockNumber number{tokens_[i].value, false, i, i + 1};
-      bool in_inches = tokens_[i].is_fraction;
-      const std::size_t next = is_sign(i + 1, "-") ? i + 2 : i + 1;
-      if (is_figure(next) && tokens_[next].is_fraction && !in_inches)
-        number.value += tokens_[next].value, number.end = next + 1, in_inches = true;
-      if (is_sign(number.end, "\"") || is_word(number.end, "IN INCH INCHES")) in_inches = true, ++number.end;
-      const bool in_mm = !in_inches && is_word(number.end, "MM ММ");
-      if (in_mm) ++number.end;
-      if (in_inches) number.value *= inch_in_mm;
-      number.has_unit = in_inches || in_mm;
-      i = number.end - 1;
-      numbers_.push_back(number);
-    }
-  }
-
   StockSize meaning(std::size_t i) const {
     if (i >= tokens_.size() || used_[i]) return StockSize::unknown;
-    if (is_word(i, diameter_words) || (is_billet_ && is_word(i, "X"))) return StockSize::diameter;
-    if (is_word(i, bore_words)) return StockSize::bore;
-    return is_word(i, length_words) || (is_billet_ && is_word(i, "Z")) ? StockSize::length : StockSize::unknown;
+    if (is_word(i, stock_diameter_words) || (is_billet_ && is_word(i, "X"))) return StockSize::diameter;
+    if (is_word(i, stock_bore_words)) return StockSize::bore;
+    return is_word(i, stock_length_words) || (is_billet_ && is_word(i, "Z")) ? StockSize::length : StockSize::unknown;
   }
 
-  StockSize labelled(const StockNumber& number) {
+  StockSize labelled(const BlankNumber& number) {
     std::size_t before = number.first;
     while (before > 0 && is_sign(before - 1, "=:.")) --before;
     const std::size_t label = before > 0 && meaning(before - 1) != StockSize::unknown ? before - 1 : number.end;
@@ -133,7 +95,7 @@ class StockReading {
   /// Gives a number without a word the size that its place tells. A row of three or more such numbers with X between them is a box.
   void guess_unlabelled() {
     const auto has = [&](StockSize size) {
-      return std::any_of(numbers_.begin(), numbers_.end(), [&](const StockNumber& n) { return n.size == size; });
+      return std::any_of(numbers_.begin(), numbers_.end(), [&](const BlankNumber& n) { return n.size == size; });
     };
     if (numbers_.empty() || has(StockSize::diameter)) return;
     const auto follows = [&](std::size_t k) {
@@ -141,11 +103,11 @@ class StockReading {
              numbers_[k].first == numbers_[k - 1].end + 1;
     };
     for (std::size_t k = 0; k < numbers_.size(); ++k) {
-      StockNumber& number = numbers_[k];
+      BlankNumber& number = numbers_[k];
       if (number.size != StockSize::unknown) continue;
-      const bool is_of_bar = number.first > 0 && is_word(number.first - 1, bar_words);
+      const bool is_of_bar = number.first > 0 && is_word(number.first - 1, stock_bar_words);
       const bool has_length = follows(k + 1);
-      if (!is_of_bar && !(k == 0 && number.has_unit) && !(has_length && number.first > 0 && is_word(number.first - 1, blank_words)))
+      if (!is_of_bar && !(k == 0 && number.unit > 0) && !(has_length && number.first > 0 && is_word(number.first - 1, stock_blank_words)))
         continue;
       if (has_length && follows(k + 2)) return;
       number.size = StockSize::diameter;
@@ -154,9 +116,9 @@ class StockReading {
     }
   }
 
-  void take(const StockNumber& number, StockComment& found) const {
-    const double value = number.has_unit ? number.value : number.value * unit_;
-    if (!(value > 0 && value <= greatest_size)) return;
+  void take(const BlankNumber& number, StockComment& found) const {
+    const double value = number.mm(unit_);
+    if (!(value > 0 && value <= greatest_blank)) return;
     std::optional<double>* const to = number.size == StockSize::diameter ? &found.diameter
                                       : number.size == StockSize::bore   ? &found.bore
                                       : number.size == StockSize::length ? &found.length
@@ -166,7 +128,7 @@ class StockReading {
 
   std::vector<CommentToken> tokens_;
   std::vector<bool> used_;  // true: the word belongs to a number
-  std::vector<StockNumber> numbers_;
+  std::vector<BlankNumber> numbers_;
   double unit_;  // mm per unit of a number without a unit
   bool is_billet_ = false;
 };

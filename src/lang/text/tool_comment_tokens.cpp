@@ -12,11 +12,11 @@
 namespace kadr {
 namespace {
 
-struct Alike {
+struct SignSpelling {
   std::string_view written, meant;
 };
 /// The different spellings of a sign, each with the spelling that replaces it.
-constexpr std::array<Alike, 17> sign_spellings = {{
+constexpr std::array<SignSpelling, 17> sign_spellings = {{
     {"Ø", " DIA "},
     {"ø", " DIA "},
     {"⌀", " DIA "},
@@ -40,7 +40,7 @@ std::string with_signs_made_alike(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
     const auto* const found = std::find_if(sign_spellings.begin(), sign_spellings.end(),
-                                           [&](const Alike& a) { return text.substr(i, a.written.size()) == a.written; });
+                                           [&](const SignSpelling& a) { return text.substr(i, a.written.size()) == a.written; });
     out += found == sign_spellings.end() ? text.substr(i, 1) : found->meant;
     i += found == sign_spellings.end() ? 1 : found->written.size();
   }

@@ -22,6 +22,9 @@ struct SetupTemplate {
 
 std::string template_text(const SetupTemplate& setup);
 
+/// Writes a value of JSON, or of TOML if it is no table, on one line, with a space after each comma and colon.
+std::string inline_text(const nlohmann::ordered_json& value);
+
 /// Writes a set-up file: a line for each row of a table and for each note, a line for any other key.
 ///   setup  an object; its keys are written in their order
 std::string setup_text(const nlohmann::ordered_json& setup);

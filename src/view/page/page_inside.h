@@ -86,6 +86,9 @@ struct PageSession::Inside {
   Answer cut(const PageJson& question);
   Answer part(const PageJson& question);
   Answer proposals(const PageJson& question);
+  Answer keep_tools(const PageJson& question);
+  void take_setup_blank(PageJson& json) const;
+  PageJson kept_tools_file() const;
   void cut_part();
   // ---- requests that are answered in page_setup.cpp
   Answer setup_form(const PageJson& question);

@@ -3,9 +3,12 @@
 
 #include <fmt/core.h>
 
+#include "config/setup/setup_blank.h"
 #include "config/tools/tool_list.h"
+#include "out/program/setup_template.h"
 #include "out/text/cut_text.h"
 #include "session/cutting/named_body.h"
+#include "texts/page.h"
 #include "texts/part_run.h"
 #include "view/page/page_inside.h"
 #include "view/proposals.h"
@@ -207,12 +210,63 @@ PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& quest
     file = tools_file_for(known, *run);
   }
   const std::vector<ProposedTool> proposed = proposed_tools(*run, file);
-  PageJson json = {{"stock", guess.text(zero, turns_part(*run, guess), radii_of(proposed), turned_hints(*run))},
-                   {"tools", PageJson::array()}};
+  const bool turns = turns_part(*run, guess);
+  const BlankHints hints = blank_hints(*run);
+  PageJson json = {{"stock", guess.text(zero, turns, radii_of(proposed), hints)}, {"tools", PageJson::array()}};
+  if (turns && hints.turned.stated) json["stock_by"] = {{"line", hints.turned.stated->line}, {"text", hints.turned.stated->text}};
+  else if (!turns && hints.box) json["stock_by"] = {{"line", hints.box->line}, {"text", hints.box->text}};
   for (const ProposedTool& tool : proposed) json["tools"].push_back(proposal_json(tool));
   json["inserts"] = inserts_json(inserts_of(proposed));
   json["files"] = tools_files(server.folder, server.folder.shown(run->opened().path));
+  take_setup_blank(json);
+  json["keep"] = kept_tools_file();
   return json;
+}
+
+/// Blank and fixtures that the set-up states come before proposals.
+void PageSession::Inside::take_setup_blank(PageJson& json) const {
+  if (opened_request.setup.empty()) return;
+  const std::string file = server.folder.shown(opened_request.setup);
+  const auto text = setup_file(file);
+  const SetupBlank blank = text ? setup_blank(text->bytes) : SetupBlank();
+  if (!blank.fixtures.empty()) json["fixtures"] = blank.fixtures;
+  if (blank.stock.empty()) return;
+  json["stock"] = blank.stock;
+  json["stock_by"] = {{"line", 0}, {"text", file}};
+}
+
+/// Returns the name of the tools file that belongs to the program, and the digest of the file if it exists.
+PageJson PageSession::Inside::kept_tools_file() const {
+  const std::string program = server.folder.shown(run->opened().path);
+  const std::size_t slash = program.rfind('/'), dot = program.rfind('.');
+  const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1);
+  std::string file = program.substr(0, has_ending ? dot : program.size()) + ".toml";
+  const auto path = server.folder.path_of(file);
+  if (path && !load_tools(*path, &server.folder)) file = free_name(file, ".toml");
+  const auto digest = server.folder.digest(file);
+  return {{"file", file}, {"digest", digest ? PageJson(*digest) : PageJson()}};
+}
+
+/// Writes the tools of the request into a tools file, in place of the tools that the file has.
+PageSession::Inside::Answer PageSession::Inside::keep_tools(const PageJson& question) {
+  if (!may_change) return refused(translated(texts::page::may_not_save));
+  const std::string file = value_in<std::string>(question, "file", "");
+  if (!file.ends_with(".toml")) return refused(translated(texts::part_run::tools_name_wanted));
+  if (!question.contains("tools") || !question["tools"].is_array()) return refused(translated(texts::part_run::tools_wanted));
+  const auto tools = tools_in(server.folder, question);
+  if (!tools) return tl::unexpected(tools.error());
+  std::string text;
+  for (const ToolGeometry& tool : tools->tools) {
+    text += text.empty() ? "[[tool]]\n" : "\n[[tool]]\n";
+    const PageJson keys = tool_json(tool);
+    for (const auto& [key, value] : keys.items()) text += key + " = " + inline_text(value) + "\n";
+  }
+  std::optional<FileDigest> replaces;
+  if (const auto digest = question.find("digest"); digest != question.end() && digest->is_string()) replaces = digest->get<std::string>();
+  const auto saved = server.folder.save(file, text, replaces);
+  if (!saved) return tl::unexpected(Refusal{saved.error().text, saved.error().changed});
+  opened_names.insert(file);
+  return PageJson{{"digest", *saved}};
 }
 
 }  // namespace kadr

@@ -72,7 +72,7 @@ PageJson offset_columns(const ControlDef& def, Lang lang) {
 }
 
 /// Returns the tables that a set-up of the control may have and that the form shows.
-PageJson tables_of(const ControlDef& def) {
+PageJson form_tables(const ControlDef& def) {
   PageJson all = PageJson::array();
   for (const char* const name : {"work_offsets", "zeros", "offsets", "correctors", "variables"}) {
     const nlohmann::json table = {{name, nlohmann::json::object()}};
@@ -117,7 +117,7 @@ PageSession::Inside::Answer PageSession::Inside::setup_form(const PageJson&) {
                    {"in_force", !opened_request.setup.empty()},
                    {"stated", text ? PageJson::parse(text->bytes, nullptr, false) : PageJson::object()},
                    {"setups", setups_beside(server.folder, shown)},
-                   {"tables", tables_of(*opened.def)},
+                   {"tables", form_tables(*opened.def)},
                    {"columns", offset_columns(*opened.def, lang)},
                    {"axes", control.axes()},
                    {"rows", PageJson::array()},
