@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Tests kadr convert for a user's own control: its M functions by the table [convert] in both directions, and the letters that a text may
-contain.
+contain; keys of the set-up that both controls have.
 
     convert_own.py --kadr PROGRAM
 """
 import argparse
+import json
 import sys
 import tempfile
 from pathlib import Path
@@ -106,6 +107,37 @@ def letters(place):
     expect(place.convert(program, 'mach3', 'fanuc', '--encoding-out', 'koi9')[0].returncode == 2, 'no such encoding')
 
 
+# What the set-up of each control may state and a conversion to the same control must keep: a set-up that is written without it would not be
+# the one with which the programs were proven equal.
+CARRIED = {
+    'start': {'X': 5.0, 'Z': 20.0}, 'start_frame': 'work', 'override': {'feed': 80.0, 'rapid': 50.0, 'spindle': 110.0},
+    'spindle': {'1': {'rpm': 600.0, 'dir': 'cw'}}, 'clock': '2014-05-18T15:32:41', 'tool': 2,
+    'machine': {'*': {'rapid': 8000.0, 'acceleration': 900.0, 'jerk_time': 0.04}, 'Z': {'limits': [-400.0, 10.0], 'acceleration': None}},
+    'offsets': {'1': {'length': 12.5, 'length_wear': 0.1, 'radius': 4.0, 'radius_wear': -0.02}},
+    'skip': [2], 'optional_stop': True}
+NCT_ALONE = {'machine': {'X': {'zone3': [0.0, 100.0], 'switches': [-405.0, 5.0], 'position_error': 0.1}},
+             'spindle': {'1': {'name': 'S', 'ranges': [[50.0, 1000.0], [800.0, 4000.0]], 'rpm': 600.0, 'dir': 'ccw'}},
+             'offsets': {'1': {'length': 12.5, 'corner_radius': 0.8}}}
+
+
+def carried_setup(place):
+    """A conversion to the same control writes the set-up that it was given."""
+    program = place.file('part.nc', '%\nO1\nG21 G90\nG0 X10.\nM30\n%\n')
+    there = place.folder / 'there.json'
+    for control in ('nct', 'fanuc', 'haas', 'fanuc-t', 'haas-st'):
+        for given in [CARRIED, NCT_ALONE] if control == 'nct' else [CARRIED]:
+            for key, value in given.items():
+                if key == 'offsets' and control in ('fanuc-t', 'haas-st'):
+                    value = {'1': {'X': -20.0, 'X_wear': 0.1, 'Z': -50.0, 'radius': 0.8, 'tip': 3}}
+                setup = place.file('setup.json', json.dumps({'axes': ['X', 'Z'], key: value} if control.endswith('t') and control != 'nct' else {key: value}))
+                if run(place.kadr, 'run', program, '--control', control, '--setup', setup, '-q').returncode == 2:
+                    continue   # not a key of this control
+                there.unlink(missing_ok=True)
+                got, _ = place.convert(program, control, control, '--setup', setup, '--setup-out', there)
+                kept = json.loads(there.read_text(encoding='utf-8')).get(key) if there.exists() else got.stderr
+                expect(kept == value, f'{control}: {key} was {value}, is {kept}')
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument('--kadr', required=True, type=Path)
@@ -114,6 +146,7 @@ def main():
         place = Place(given.kadr.resolve(), Path(name))
         m_functions(place)
         letters(place)
+        carried_setup(place)
     return result()
 
 

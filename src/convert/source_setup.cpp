@@ -11,6 +11,7 @@
 
 #include "config/machine/machine_codes.h"
 #include "config/setup/setup_check.h"
+#include "config/setup/setup_keys.h"
 #include "config/setup/setup_names.h"
 #include "convert/variable_numbers.h"
 #include "out/program/codes.h"
@@ -46,7 +47,11 @@ ParameterKey turning_table_bit() { return {"1416", "", "2"}; }
 /// and wear of each axis; the other controls have one value, their sum. The NCT states the length along a diameter axis as a diameter (nct
 /// 5.3).
 ToolOffset offset_there(const ToolOffset& offset, const Setup& setup, const ControlDef& from, const ControlDef& to) {
-  if (is_lathe(from) == is_lathe(to)) return offset;
+  if (is_lathe(from) == is_lathe(to)) {
+    ToolOffset same = offset;
+    if (!has(to, SetupNeeds::corner_radius)) same.corner = same.corner_wear = 0;
+    return same;
+  }
   ToolOffset sum;
   sum.length = offset.whole_length(), sum.radius = offset.whole_radius();
   sum.length_x = offset.length_x + offset.length_x_wear, sum.length_y = offset.length_y + offset.length_y_wear;
@@ -85,6 +90,13 @@ std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, co
     if (axis.size() == 1 && (names.letters >> (axis.front() - 'A') & 1U) != 0 && std::find(axes.begin(), axes.end(), axis) == axes.end())
       axes.push_back(axis);
   return axes.size() > 3 || is_lathe(to) ? axes : std::vector<std::string>();
+}
+
+/// Returns what the set-up of the target control may state of an axis.
+AxisLimits limits_there(const AxisLimits& limits, const ControlDef& to) {
+  AxisLimits there = limits;
+  if (!to.machine_axes()) there.zone3.reset(), there.switches.reset(), there.apart.reset(), there.position_error = 0;
+  return there;
 }
 
 /// Copies the spindles into the new set-up. If the target control's set-up describes its spindles, all are copied; otherwise only speed and
@@ -139,7 +151,10 @@ const CodeRow* turning_length_code(const ControlDef& def) {
 bool wears_alike(const ControlDef& from, const ControlDef& to) { return is_lathe(to) && from.behaviour.lathe == to.behaviour.lathe; }
 
 bool allows_key(const ControlDef& def, const char* key) {
-  const nlohmann::json table = {{key, nlohmann::json::object()}};
+  const SetupKey& row = *setup_key(key);
+  // The names in a table depend on the control, so that its example may be wrong there.
+  const nlohmann::json value = row.form == SetupForm::table ? nlohmann::json::object() : nlohmann::json::parse(row.example);
+  const nlohmann::json table = {{key, value}};
   return !fault_of(table, table, &def);
 }
 
@@ -223,7 +238,7 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   const KnownAxes axes(to, made.axes);
   made.start = axes.of(setup.start), made.start_in_work = setup.start_in_work;
   for (const auto& [axis, limits] : setup.machine)
-    if (axis == "*" || !axes.of({{axis, 0}}).empty()) made.machine[axis] = limits;
+    if (axis == "*" || !axes.of({{axis, 0}}).empty()) made.machine[axis] = limits_there(limits, to);
   made.axis_limits = setup.axis_limits;
   made.skip = setup.skip, made.optional_stop = setup.optional_stop || reports_optional_stops(from);
   take_spindles(made, setup, from, to);
@@ -257,11 +272,44 @@ void put_probe(nlohmann::ordered_json& all, const Setup& setup) {
        {{"center", {{"X", hole.center_x}, {"Y", hole.center_y}}}, {"diameter", hole.diameter}, {"top", hole.top}, {"depth", hole.depth}}}};
 }
 
-void put_limits(nlohmann::ordered_json& to, const AxisLimits& limits) {
-  to = nlohmann::ordered_json::object();
+using Json = nlohmann::ordered_json;
+
+void put_span(Json& to, const char* key, const std::optional<std::pair<double, double>>& span) {
+  if (span) to[key] = {span->first, span->second};
+}
+
+void put_limits(Json& to, const AxisLimits& limits) {
+  to = Json::object();
   if (limits.rapid) to["rapid"] = *limits.rapid;
-  if (limits.limits) to["limits"] = {limits.limits->first, limits.limits->second};
-  if (limits.acceleration) to["acceleration"] = *limits.acceleration;
+  put_span(to, "limits", limits.limits);
+  put_span(to, "zone3", limits.zone3);
+  put_span(to, "switches", limits.switches);
+  if (limits.apart) to["apart"] = *limits.apart;
+  if (limits.no_acceleration) to["acceleration"] = nullptr;
+  else if (limits.acceleration) to["acceleration"] = *limits.acceleration;
+  if (limits.jerk_time) to["jerk_time"] = *limits.jerk_time;
+  if (limits.position_error != 0) to["position_error"] = limits.position_error;
+}
+
+void put_spindle(Json& to, const SpindleSetup& spindle) {
+  const SpindleSetup usual;
+  to = Json::object();
+  if (!spindle.name.empty()) to["name"] = spindle.name;
+  if (spindle.channel != usual.channel) to["channel"] = spindle.channel;
+  if (spindle.rpm != usual.rpm) to["rpm"] = spindle.rpm;
+  if (spindle.dir != usual.dir) to["dir"] = spindle.dir;
+  if (spindle.angle) to["angle"] = *spindle.angle;
+  for (const auto& [least, most] : spindle.ranges) to["ranges"].push_back({least, most});
+  if (spindle.loop != usual.loop) to["loop"] = spindle.loop;
+  if (spindle.surface_speed != usual.surface_speed) to["surface_speed"] = spindle.surface_speed;
+  if (spindle.css_axis != usual.css_axis) to["css_axis"] = spindle.css_axis;
+  if (spindle.master != usual.master) to["master"] = spindle.master;
+}
+
+void put_overrides(Json& all, const Setup& setup) {
+  for (const auto& [name, percent] :
+       {std::pair{"feed", setup.feed_override}, {"rapid", setup.rapid_override}, {"spindle", setup.spindle_override}})
+    if (percent != 100) all["override"][name] = percent;
 }
 
 }  // namespace
@@ -274,6 +322,7 @@ std::string setup_text(const Setup& setup) {
   };
   if (!setup.axes.empty()) all["axes"] = setup.axes;
   if (!setup.start.empty()) put_axes(all["start"], setup.start);
+  if (setup.start_in_work) all["start_frame"] = "work";
   for (const auto& [name, values] : setup.work_offsets) put_axes(all["work_offsets"][name], values);
   for (const auto& [number, values] : setup.zeros) put_axes(all["zeros"][std::to_string(number)], values);
   for (const auto& [number, values] : setup.reference_points) put_axes(all["reference_points"][std::to_string(number)], values);
@@ -284,6 +333,8 @@ std::string setup_text(const Setup& setup) {
                                       {"length_wear", offset.length_wear},
                                       {"radius", offset.radius},
                                       {"radius_wear", offset.radius_wear},
+                                      {"corner_radius", offset.corner},
+                                      {"corner_radius_wear", offset.corner_wear},
                                       {"length_x", offset.length_x},
                                       {"length_x_wear", offset.length_x_wear},
                                       {"length_y", offset.length_y},
@@ -298,6 +349,9 @@ std::string setup_text(const Setup& setup) {
   for (const auto& [axis, on] : setup.diameter) all["diameter"][axis] = on;
   put_probe(all, setup);
   for (const auto& [axis, limits] : setup.machine) put_limits(all["machine"][axis], limits);
+  for (const auto& [number, spindle] : setup.spindles) put_spindle(all["spindle"][std::to_string(number)], spindle);
+  put_overrides(all, setup);
+  if (!setup.clock.empty()) all["clock"] = setup.clock;
   if (setup.chuck_face) all["chuck_face"] = *setup.chuck_face;
   if (setup.tailstock) all["tailstock"] = *setup.tailstock;
   if (setup.tool != 0) all["tool"] = setup.tool;

@@ -22,7 +22,7 @@ void note_side(BlockContext& m, Motion& motion) {
   motion.side = static_cast<std::int8_t>(side);
   motion.tool_radius = std::fabs(state.tool_radius);
   motion.nose = state.nose;
-  if (fanuc_of(m).settings.approach) motion.entry = *fanuc_of(m).settings.approach;
+  motion.entry = fanuc_of(m).settings.approach;
   if (m.modal.offset_number != 0) m.use.note(UseKind::radius, m.modal.offset_number, m.origin, state.tool_radius == 0);
   if ((m.transform.moved_with(motion.named) & (AxisMask{1} << plane.first | AxisMask{1} << plane.second)) == 0) return;
   motion.side_step = state.side_step;
@@ -40,7 +40,7 @@ void note_skip_mark(Emitter& m) {
 void end_side_block(Emitter& m) {
   UndoableState& state = fanuc_of(m).state;
   // On a lathe, G41 or G42 without a motion starts compensation in the next motion (spec/fanuc-t 7.3, INFERRED).
-  if (state.side_step == SideStep::begins && !fanuc_of(m).settings.approach) state.side_step = SideStep::begun;
+  if (state.side_step == SideStep::begins && !fanuc_of(m).settings.compensates_nose) state.side_step = SideStep::begun;
   if (state.side_step != SideStep::ends) return;
   m.emit(CompensationBreak{true});
   state.side_step = SideStep::none;

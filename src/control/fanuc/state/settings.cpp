@@ -58,6 +58,7 @@ void read_spindles(Settings& s, const ParameterSource& p) {
 void read_lathe(Settings& s, const ParameterSource& p, const std::vector<std::string>& names) {
   LatheSettings& l = s.lathe;
   l.is_lathe = true;
+  s.compensates_nose = true;
   // The row of 1006#3 has one default for all axes, 1; only X is a diameter (spec/fanuc-t 1.3)
   for (std::size_t a = 0; a < names.size() && a < max_axes; ++a) s.axes[a].diameter = s.axes[a].diameter && names[a].starts_with('X');
   const auto on = [&](const char* meaning) { return p.value(meaning, 0) != 0; };
@@ -77,7 +78,6 @@ void read_lathe(Settings& s, const ParameterSource& p, const std::vector<std::st
   l.tool_changer = on("tool_changer");
   l.turret_distance = p.value("turret_distance", 0) / 2;
   l.feed_per_minute = on("feed_per_minute");
-  l.approach_own_block = on("approach_own_block");
   constexpr double percent_per_unit = 10;
   if (const double back = p.value("boring_back", 0); back > 0) l.boring_back_percent = percent_per_unit * back;
   l.clamp_code = macro_b::whole_parameter(p.value("clamp_code", 0));
@@ -91,6 +91,7 @@ void read_haas_lathe(Settings& s, const ParameterSource& p, const std::vector<st
   LatheSettings& l = s.lathe;
   l.is_haas = true;
   for (std::size_t a = 0; a < names.size() && a < max_axes; ++a) s.axes[a].diameter = names[a].starts_with('X');
+  s.compensates_nose = true;
   s.approach = CompensationApproach::square;  // spec/haas-st 8
   l.wear_shifts = true;  // an offset takes effect with the next motion, and causes no motion of its own (spec/haas-st 3)
   l.is_yasnac = macro_b::whole_parameter(p.value("coordinates_of", 0)) == 2;
@@ -161,6 +162,7 @@ void read_interpretation(Settings& s, const ParameterSource& p) {
   s.skip_breaks_compensation = !p.bit("1337", "4", 0);
   if (p.has("approach_by_corner"))
     s.approach = p.value("approach_by_corner", 0) != 0 ? CompensationApproach::by_corner : CompensationApproach::square;
+  s.approach_own_block = p.value("approach_own_block", 0) != 0;
 }
 
 void read_machine(Settings& s, const ParameterSource& p) {

@@ -64,7 +64,6 @@ struct LatheSettings {
   bool tool_changer = false;         // 5040#3 TCT: the lathe has a tool changer, so that G49 is a code
   double turret_distance = 0;        // 1290: shift of X in G68, mm, as a radius
   bool feed_per_minute = false;      // 3402#4 FPM: the feed per minute is in force at power-on
-  bool approach_own_block = false;   // 5003#1 SUV: start-up of type C, which Kadr does not have
   double boring_back_percent = 100;  // 5121: feed of the way back of G85 and G89, % of F
   int clamp_code = 0;                // 5110: M code that clamps the C axis for drilling; 0: none
   double release_dwell = 0;          // 5111: dwell after the C axis is released, s
@@ -130,9 +129,11 @@ struct Settings {
   bool turning_offsets = false;          // N1416 #2 TOL: the offset table for turning is in use
   CompensationCheck compensation_check;  // N1403 … N1405: settings of cutter compensation
   bool skip_breaks_compensation = true;  // N1337 #4 CBB is 0: a block with / interrupts cutter compensation (15.5.2)
-  // 5003#0 SUP: start-up type A (square) or B (by_corner) of a lathe (spec/fanuc-t 7.3); INFERRED: #1 SUV is not read. nullopt: the control
-  // has only type B
-  std::optional<CompensationApproach> approach;
+  // 5003#0 SUP: start-up type A (square) or B (by_corner) (spec/fanuc 7.3, spec/fanuc-t 7.3); INFERRED: #1 SUV is not read there
+  CompensationApproach approach = CompensationApproach::by_corner;
+  bool approach_own_block = false;  // 5003#1 SUV: start-up of type C, which Kadr does not have
+  // true: a lathe. G41 and G42 without a motion start compensation in the next motion, and turning cycles compensate (spec/fanuc-t 7)
+  bool compensates_nose = false;
   // the two bits that decide which positions system variables report
   bool without_length = false;  // N1755 #6 TLC: system variables report positions without the tool length
   bool in_frame = false;        // N1755 #5 PCS: system variables report positions in the programming frame

@@ -149,7 +149,7 @@ Status second_line(Interpreter& m, const Call& call) {
 /// Checks that the modes in force permit a turning cycle. Only a lathe has cycles in G41 and G42 (spec/fanuc-t 7.4).
 Status possible(const BlockContext& m, const Call& call) {
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
-  if (m.modal.radius_side != 0 && !fanuc_of(m).settings.approach)
+  if (m.modal.radius_side != 0 && !fanuc_of(m).settings.compensates_nose)
     return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   return {};
 }

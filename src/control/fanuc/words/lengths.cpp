@@ -157,7 +157,7 @@ Status radius_side(Emitter& m, const Call& call) {
   fanuc::UndoableState& state = fanuc_of(m).state;
   if (call.row->arg != 0 && m.modal.plane != Plane::xy && m.def.gives(AlarmId::compensation_plane))
     return fail(alarm(AlarmId::compensation_plane, call.where, call.row->code));
-  if (call.row->arg != 0 && fanuc_of(m).settings.lathe.approach_own_block)  // start-up of type C (spec/fanuc-t 7.3)
+  if (call.row->arg != 0 && fanuc_of(m).settings.approach_own_block)  // start-up of type C (spec/fanuc 7.3)
     return fail(alarm(AlarmId::not_available, call.where, call.row->code + " (5003#1)"));
   const std::int8_t side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
   if (side != 0 && m.modal.radius_side == 0) state.side_step = SideStep::begins;
