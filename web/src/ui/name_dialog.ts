@@ -1,4 +1,4 @@
-// A dialogue that asks for a file's name: the fault of a name is shown beside it, and nothing that was typed is lost.
+// A dialogue that asks for a file's name: the fault of a name is shown next to it, and nothing that was typed is lost.
 import { t } from "../texts/texts";
 import { open_dialog } from "./dialog";
 import { button, h } from "./dom";

@@ -23,7 +23,7 @@ export function show_tour(): void {
     at = Math.min(steps.length - 1, Math.max(0, at + way));
     draw();
   };
-  const place = (): void => place_beside(document.querySelector(steps[at]!.of), ring, card);
+  const place = (): void => place_card(document.querySelector(steps[at]!.of), ring, card);
   const draw = (): void => {
     const step = steps[at]!,
       last = at === steps.length - 1;
@@ -66,8 +66,8 @@ export function show_tour(): void {
   draw();
 }
 
-/// The ring is around the target, the card beside it; above it where there is no room.
-function place_beside(target: Element | null, ring: HTMLElement, card: HTMLElement): void {
+/// The ring is around the target, the card next to it; above it where there is no room.
+function place_card(target: Element | null, ring: HTMLElement, card: HTMLElement): void {
   const box = target?.getBoundingClientRect() ?? new DOMRect(innerWidth / 2, innerHeight / 2, 0, 0),
     { width, height } = card.getBoundingClientRect();
   Object.assign(ring.style, {
