@@ -35,6 +35,7 @@ T value_in(const PageJson& question, const char* key, T fallback) {
   const auto found = question.find(key);
   if (found == question.end()) return fallback;
   if constexpr (std::is_same_v<T, std::string>) return found->is_string() ? found->template get<std::string>() : fallback;
+  else if constexpr (std::is_same_v<T, bool>) return found->is_boolean() ? found->template get<bool>() : fallback;
   else return found->is_number() ? found->template get<T>() : fallback;
 }
 
