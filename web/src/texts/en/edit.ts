@@ -21,7 +21,7 @@ export const edit_en = {
   edit_copy_note: "All that each tool cuts is repeated before the next tool: each tool is changed once.",
   edit_copy_around_note: "All that each tool cuts is repeated before the next tool: each tool is changed once.",
   edit_reverse_note:
-    "The lines are those selected in the program, with lead-in and lead-out. Compensation changes its side; climb milling becomes conventional milling.",
+    "The selected lines, with lead-in and lead-out. Compensation changes its side; climb milling becomes conventional.",
   edit_renumber: "New block numbers",
   edit_tidy: "Comments, spaces, numbers",
   edit_replace_tool: "Another tool",
