@@ -35,12 +35,16 @@ export function operator_day({ kadr, browser, pictures }) {
         await page.goto(kadr.address().replace("/#", "/?operator#"));
         await until("the screen", () => page.locator(".operator-screen").isVisible());
         await until("the files", () => count(".file-row"));
-        if (await count(".crumbs button")) await page.tap(".crumbs button >> nth=0");
         const row = page.locator('.file-row:has(.file-name:text-is("day.nc"))');
         // The program that was open last may arrive meanwhile: two touches count, others repeat them.
         await until("day.nc", async () => {
           if ((await text(".screen-head .file")) === "day.nc") return true;
-          if (!(await row.isVisible())) await page.tap(".screen-head .file");
+          if (!(await row.isVisible())) {
+            const top_folder = page.locator(".crumbs button >> nth=0");
+            if (!(await top_folder.isVisible()))
+              await page.tap(".screen-head .file", { timeout: 3000 }).catch(() => {});
+            await top_folder.tap({ timeout: 3000 }).catch(() => {});
+          }
           await row.tap({ timeout: 3000 }).catch(() => {});
           return page.waitForTimeout(500);
         });
