@@ -115,7 +115,7 @@ CARRIED = {
     'machine': {'*': {'rapid': 8000.0, 'acceleration': 900.0, 'jerk_time': 0.04}, 'Z': {'limits': [-400.0, 10.0], 'acceleration': None}},
     'offsets': {'1': {'length': 12.5, 'length_wear': 0.1, 'radius': 4.0, 'radius_wear': -0.02}},
     'skip': [2], 'optional_stop': True}
-NCT_ALONE = {'machine': {'X': {'zone3': [0.0, 100.0], 'switches': [-405.0, 5.0], 'position_error': 0.1}},
+NCT_ALONE = {'machine': {'X': {'zone3': [-300.0, -200.0], 'switches': [-405.0, 500.0], 'position_error': 0.1}},
              'spindle': {'1': {'name': 'S', 'ranges': [[50.0, 1000.0], [800.0, 4000.0]], 'rpm': 600.0, 'dir': 'ccw'}},
              'offsets': {'1': {'length': 12.5, 'corner_radius': 0.8}}}
 
@@ -135,6 +135,8 @@ def carried_setup(place):
                 there.unlink(missing_ok=True)
                 got, _ = place.convert(program, control, control, '--setup', setup, '--setup-out', there)
                 kept = json.loads(there.read_text(encoding='utf-8')).get(key) if there.exists() else got.stderr
+                if key == 'offsets' and value != CARRIED[key] and 'X' in value['1']:   # a lathe's set-up knows two names of each
+                    value = {'1': {'length': -50.0, 'length_x': -20.0, 'length_x_wear': 0.1, 'radius': 0.8, 'tip_position': 3}}
                 expect(kept == value, f'{control}: {key} was {value}, is {kept}')
 
 
