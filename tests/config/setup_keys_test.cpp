@@ -39,7 +39,9 @@ std::string sample_name(SetupNames kind, const ControlDef* def) {
     case SetupNames::axis_or_all:
     case SetupNames::axis_or_plane: return "X";
     case SetupNames::work_offset: return "G54";
-    case SetupNames::variable: return def != nullptr && def->grammar.variables == 0 && !def->grammar.custom_macros ? "R2" : "#100";
+    case SetupNames::variable:
+      if (def != nullptr && def->grammar.named_blocks) return "#R2";
+      return def != nullptr && def->grammar.variables == 0 && !def->grammar.custom_macros ? "R2" : "#100";
     case SetupNames::parameter: return "N1501";
     case SetupNames::place: return "10/1";
     case SetupNames::signal: return "CP_NOWT";
@@ -137,6 +139,7 @@ TEST(setup_keys, what_the_controls_have) {
         H::probe, H::diameters, H::turning, H::machine_axes}},
       {"gost", {H::nothing, H::work_offsets, H::diameters, H::turning, H::skip_question}},
       {"correctors", {H::nothing, H::correctors}},
+      {"sinumerik", {H::nothing, H::work_offsets, H::variables}},
       {"nct",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
         H::probe, H::diameters, H::turning, H::machine_axes}},

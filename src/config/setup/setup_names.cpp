@@ -270,6 +270,7 @@ std::string SetupNamesOf::form(SetupNames kind, Lang lang) const {
   namespace id = texts::setup_names;
   switch (kind) {
     case SetupNames::variable: {
+      if (def_ != nullptr && def_->grammar.named_blocks) return plain_text(id::own_variable, lang);
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
       const bool macro = def_ == nullptr || def_->grammar.variables > 0;
       if (!macro) return plain_text(id::formal_parameter, lang);
