@@ -91,7 +91,14 @@ test("one list: of the run, of the text as it stands, of the cut", () => {
   const p = (id: string, line: number): Problem => ({ id, severity: "alarm", line, text: "" });
   const hit: Finding = { ...p("rapid_in_stock", 7), file: 0, at: 3, place: [0, 0, -4], depth: 8, tool: 1 };
   const ids = (of: Problem[]): string[] => of.map((x) => `${x.id} ${x.line}`);
-  const run = { problems: [p("a", 1)], checked: null, findings: [hit], text: "as run", ran: "as run" };
+  const run = {
+    problems: [p("a", 1)],
+    checked: null,
+    findings: [hit],
+    text: "as run",
+    ran: "as run",
+    cut_text: "as run",
+  };
   expect(ids(listed(run))).toEqual(["a 1", "rapid_in_stock 7"]);
   expect(ids(of_shown_text(run))).toEqual(["a 1", "rapid_in_stock 7"]);
   expect(ids(listed({ ...run, checked: [p("a", 1), p("b", 2)] }))).toEqual(["a 1", "b 2", "rapid_in_stock 7"]);
@@ -99,6 +106,9 @@ test("one list: of the run, of the text as it stands, of the cut", () => {
   expect(ids(listed(edited))).toEqual(["b 2", "rapid_in_stock 7"]);
   expect(ids(of_shown_text(edited))).toEqual(["b 2"]);
   expect(listed_of_cut(edited)).toEqual([hit]);
+  const run_again = { ...edited, ran: "as typed" }; // the program follows its text: the cut does not
+  expect(ids(listed(run_again))).toEqual(["a 1", "b 2", "rapid_in_stock 7"]);
+  expect(ids(of_shown_text(run_again))).toEqual(["a 1", "b 2"]);
   expect(grouped_problems([hit, p("rapid_in_stock", 8)]).map((g) => g.problems.length)).toEqual([1, 1]);
 });
 

@@ -23,6 +23,7 @@ export abstract class AppResults extends AppTime {
   async run_cut(question: CutQuestion): Promise<void> {
     if (!(await this.run_shown())) return;
     this.last_cut = question;
+    this.cut_text = this.ran;
     this.findings = [];
     this.cut = null;
     this.cut_ready = false;
@@ -53,12 +54,13 @@ export abstract class AppResults extends AppTime {
     } else if (e.name === "cut") this.take_cut(e.body);
   }
 
-  /// `live`: what is shown stays until the results of the next run replace it; only the part is gone.
+  /// `live`: what is shown stays until the results of the next run replace it, and what the cut has found stays until the
+  /// next cut; only the part is gone.
   protected forget_run(live = false): void {
     this.path.clear();
     this.progress = this.cut = null;
     this.problems = [];
-    this.findings = [];
+    if (!live) this.findings = [];
     this.cutting = this.cut_ready = false;
     this.on_part.emit(null);
     this.on_cut.emit(null);

@@ -30,6 +30,7 @@ export abstract class AppState {
   text: string | null = null; // as edited; null if the page does not hold the file
   saved_text: string | null = null;
   ran: string | null = null; // the text that the session has run: path, state and sheet belong to it
+  cut_text: string | null = null; // the text that was cut: the findings belong to it
   digest: string | null = null; // of the file on the disk: saving names the version that it replaces
   running = false;
   progress: Progress | null = null;

@@ -8,19 +8,20 @@ export interface Listing {
   findings: Finding[]; // of the cut
   text: string | null;
   ran: string | null;
+  cut_text: string | null;
 }
 
 export const is_of_cut = (p: Problem): p is Finding => "place" in p;
 
 /// Problems of the run belong to the text that was run: for any other text only the check counts. Collisions are known
-/// only to the cut: they stay until the next run.
+/// only to the cut: they stay until the next cut, or until the program runs again for another reason than an edit.
 export function listed(of: Listing): Problem[] {
   return [...of_text(of), ...of.findings];
 }
 
 /// Problems whose lines are lines of the current text in the editor.
 export function of_shown_text(of: Listing): Problem[] {
-  return of.text === of.ran ? listed(of) : of_text(of);
+  return of.text === of.cut_text ? listed(of) : of_text(of);
 }
 
 export const listed_of_cut = (of: Listing): Finding[] => listed(of).filter(is_of_cut);
