@@ -307,7 +307,7 @@ struct AlarmText {
 /// needs no such part.
 enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc, grbl, mach3, sinumerik };
 inline constexpr std::array<std::string_view, 8> dialect_names = {"iso",      "s2c42", "correctors", "nct",
-                                                                 "linuxcnc", "grbl",  "mach3",      "sinumerik"};
+                                                                  "linuxcnc", "grbl",  "mach3",      "sinumerik"};
 
 /// An M function of the machine that has another code on the machine of another control.
 struct MachineCodeRow {

@@ -67,7 +67,8 @@ bool is_like_work_offset(std::string_view name) {
 /// Returns true if the control numbers its work offsets in an order other than that of their codes: on the 2С42, G55 is zero 3.
 bool numbers_zeros_itself(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) {
-    return row.function == Function::work_zero && row.arg > 0 && row.tenth <= last_system && row.arg != row.tenth / 10 - first_system / 10 + 1;
+    return row.function == Function::work_zero && row.arg > 0 && row.tenth <= last_system &&
+           row.arg != row.tenth / 10 - first_system / 10 + 1;
   });
 }
 

@@ -65,7 +65,8 @@ enum class StatementKind : std::uint8_t {
   names,   // SETVN n[NAME,…] gives names to variables; it has no effect during execution (spec/fanuc 5.1)
   o_word,  // a line of flow control or a call (spec/linuxcnc 6)
   system,  // a line of Grbl: `$H`, `$110=500`, `$J=X10 F100`; the words after `$J=` become words of the block (spec/grbl 9, 11)
-  named,   // a block with names; `text` is the block without its number and label, which lang/named reads when it is executed (spec/sinumerik)
+  named,   // a block with names; `text` is the block without its number and label, which lang/named reads when it is executed
+           // (spec/sinumerik)
 };
 
 /// The commands of an O line (spec/linuxcnc 6.1).

@@ -26,9 +26,9 @@ struct LettersAlike {
   std::string_view text;
 };
 constexpr LettersAlike alike_signs[] = {{U'«', "\""},   {U'»', "\""}, {U'“', "\""}, {U'”', "\""},  {U'„', "\""},    {U'’', "'"},
-                                 {U'–', "-"},    {U'—', "-"},  {U'−', "-"},  {U'…', "..."}, {U'×', "x"},     {U'·', "."},
-                                 {U'°', " deg"}, {U'±', "+-"}, {U'№', "N"},  {U'Ø', "D"},   {U'ø', "d"},     {U'⌀', "D"},
-                                 {U'→', "->"},   {U'²', "2"},  {U'³', "3"},  {U'µ', "u"},   {U'\u00a0', " "}};
+                                        {U'–', "-"},    {U'—', "-"},  {U'−', "-"},  {U'…', "..."}, {U'×', "x"},     {U'·', "."},
+                                        {U'°', " deg"}, {U'±', "+-"}, {U'№', "N"},  {U'Ø', "D"},   {U'ø', "d"},     {U'⌀', "D"},
+                                        {U'→', "->"},   {U'²', "2"},  {U'³', "3"},  {U'µ', "u"},   {U'\u00a0', " "}};
 
 std::string utf8_text(char32_t code) {
   constexpr char32_t follows = 0x80, six = 0x3f, two_bytes = 0x800, lead_of_two = 0xc0, lead_of_three = 0xe0;
