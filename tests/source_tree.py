@@ -80,6 +80,15 @@ def check_namespaces_of_tests(kadr):
     expect(status == 1 and text == 'tests/path/b/a_test.cpp: has the namespace kadr::one_test of tests/path/a_test.cpp\n', text)
 
 
+def check_pictures_in_true_colour(kadr):
+    def head(colour_type):
+        return b'\x89PNG\r\n\x1a\n' + bytes(17) + bytes([colour_type])
+
+    made_tree(kadr.folder, {'docs/a.png': head(2) + bytes(20_000), 'docs/b.png': head(3) + bytes(20_000), 'docs/c.png': head(2)})
+    status, text = run(TREE, kadr.folder)
+    expect(status == 1 and text.startswith('docs/a.png: ') and text.count('\n') == 1, text)
+
+
 def check_no_checkout(kadr):
     status, text = run(TREE, kadr.folder)
     expect(status == 2 and 'no git checkout' in text, text)
