@@ -69,10 +69,11 @@ Done ControlLoader::sections() {
   if (def_.id.empty()) return Failed(translated(texts::control_file::no_id, name_));
   if (const toml::table* const name = section("name")) def_.name = text_of(*name);
   def_.spec = text(file_, "spec");
-  KADR_LOAD(known_keys(file_,
-                       {"id",          "aliases",    "guess",  "name",     "spec",       "extends",     "dialect", "format",   "grammar",
-                        "expressions", "behaviour",  "axes",   "order",    "address",    "groups",      "g",       "m",        "cycle",
-                        "variables",   "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "convert", "encoding", "systems"}));
+  KADR_LOAD(known_keys(
+      file_,
+      {"id",        "aliases",  "guess",      "name",        "spec",    "extends",  "dialect", "format", "grammar",         "expressions",
+       "behaviour", "axes",     "order",      "address",     "groups",  "g",        "m",       "cycle",  "variables",       "parameters",
+       "alarms",    "defaults", "feed_codes", "speed_codes", "convert", "encoding", "systems", "names",  "cycle_parameters"}));
   KADR_LOAD(names());
   KADR_LOAD(encoding());
   KADR_LOAD(dialect());

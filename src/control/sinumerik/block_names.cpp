@@ -10,29 +10,28 @@ namespace {
 
 /// Names that change nothing in the path of the tool: they are accepted (spec/sinumerik 4.1, 16).
 constexpr std::string_view accepted[] = {
-    "STOPRE",    "STARTFIFO", "STOPFIFO",    "FIFOCTRL",  "CFC",     "NORM",     "BNAT",    "ENAT",      "BRISK",    "SOFT",
-    "DRIVE",     "CUT2D",     "CDOF",        "CDON",      "CDOF2",   "FFWOF",    "FFWON",   "ORIWKS",    "WALIMON",  "WALIMOF",
-    "DIAMOF",    "COMPOF",    "COMPON",      "COMPCURV",  "COMPCAD", "COMPSURF", "OSOF",    "SPOF",      "PDELAYON", "PDELAYOF",
-    "FNORM",     "FLIN",      "FCUB",        "CPRECOF",   "CPRECON", "CUTCONOF", "LFOF",    "TCOABS",    "SPATH",    "UPATH",
-    "LFTXT",     "CP",        "PAROTOF",     "TOROTOF",   "RTLION",  "FENDNORM", "DYNNORM", "DYNPOS",    "DYNROUGH", "DYNSEMIFIN",
-    "DYNFINISH", "DYNPREC",   "TRAFOOF",     "SBLOF",     "SBLON",   "DISPLOF",  "DISPLON", "ACTBLOCNO", "NEWCONF",  "WAITP",
-    "WAITS",     "WORKPIECE", "GROUP_BEGIN", "GROUP_END", "MMC",     "CANCEL",   "CLRINT",  "ENABLE",    "DISABLE",  "SETPIECE"};
+    "STOPRE",    "STARTFIFO",   "STOPFIFO",  "FIFOCTRL", "CFC",      "NORM",    "BNAT",      "ENAT",     "BRISK",      "SOFT",
+    "DRIVE",     "CUT2D",       "CDOF",      "CDON",     "CDOF2",    "FFWOF",   "FFWON",     "ORIWKS",   "WALIMON",    "WALIMOF",
+    "COMPOF",    "COMPON",      "COMPCURV",  "COMPCAD",  "COMPSURF", "OSOF",    "SPOF",      "PDELAYON", "PDELAYOF",   "FNORM",
+    "FLIN",      "FCUB",        "CPRECOF",   "CPRECON",  "CUTCONOF", "LFOF",    "TCOABS",    "SPATH",    "UPATH",      "LFTXT",
+    "CP",        "PAROTOF",     "TOROTOF",   "RTLION",   "FENDNORM", "DYNNORM", "DYNPOS",    "DYNROUGH", "DYNSEMIFIN", "DYNFINISH",
+    "DYNPREC",   "TRAFOOF",     "SBLOF",     "SBLON",    "DISPLOF",  "DISPLON", "ACTBLOCNO", "NEWCONF",  "WAITP",      "WAITS",
+    "WORKPIECE", "GROUP_BEGIN", "GROUP_END", "MMC",      "CANCEL",   "CLRINT",  "ENABLE",    "DISABLE",  "SETPIECE"};
 
 /// Names of the control that Kadr does not execute.
 constexpr std::string_view refused[] = {
-    "ASPLINE",   "BSPLINE",  "CSPLINE", "POLY",       "INVCW",    "INVCCW",  "REPOSL",   "REPOSQ",   "REPOSH", "REPOSA",   "REPOSLA",
-    "REPOSQA",   "REPOSHA",  "ROTS",    "AROTS",      "CROTS",    "CFTCP",   "CFIN",     "KONT",     "KONTT",  "KONTC",    "BTAN",
-    "BAUTO",     "ETAN",     "EAUTO",   "CUT2DF",     "CUT3DC",   "CUT3DF",  "CUT3DFS",  "CUT3DFF",  "ORIMKS", "DIAMON",   "DIAM90",
-    "DIAMCYCOF", "FTOCON",   "OSC",     "OSS",        "OSSE",     "OSD",     "OST",      "SON",      "PON",    "LFON",     "PTP",
-    "PTPG0",     "ORIEULER", "ORIRPY",  "ORIRPY2",    "ORIVECT",  "ORIAXES", "ORIVIRT1", "PAROT",    "TOWSTD", "TOFRAME",  "TOROT",
-    "ORIROTA",   "RTLIOF",   "WHEN",    "WHENEVER",   "FROM",     "EVERY",   "DO",       "ID",       "IDS",    "SETINT",   "INIT",
-    "START",     "WAITM",    "WAITE",   "SETM",       "ISOCALL",  "TRAORI",  "TRANSMIT", "TRACYL",   "TRAANG", "TRAILON",  "TRAILOF",
-    "LEADON",    "LEADOF",   "EGON",    "EGDEF",      "COUPON",   "COUPDEF", "PRESETON", "ADDFRAME", "MEAS",   "MEAW",     "WRITE",
-    "READ",      "DELETE",   "ISFILE",  "EXECSTRING", "SPOSA",    "SETMS",   "RETB",     "GETT",     "POSA",   "POSP",     "POS",
-    "FZ",        "FB",       "FD",      "FDA",        "LIMS",     "OFFN",    "DISC",     "LEAD",     "TILT",   "MEAFRAME", "CHF",
-    "ANG",       "ANG1",     "ANG2",    "DISR",       "DISCL",    "DISRP",   "FAD",      "DITS",     "DITE",   "SF",       "SUPD",
-    "CALCDAT",   "REP",      "SET",     "TLIFT",      "PUNCHACC", "CPON",    "CPDEF",    "AXTOCHAN", "GET",    "GETD",     "RELEASE",
-    "AX",        "FGROUP",   "OVR",     "OVRRAP",     "OVRA",     "FA",      "FL",       "FGREF",    "FRC",    "FRCM"};
+    "ASPLINE",  "BSPLINE", "CSPLINE",  "POLY",     "INVCW",  "INVCCW",  "REPOSL",   "REPOSQ",  "REPOSH",  "REPOSA",   "REPOSLA",
+    "REPOSQA",  "REPOSHA", "ROTS",     "AROTS",    "CROTS",  "CFTCP",   "CFIN",     "KONT",    "KONTT",   "KONTC",    "BTAN",
+    "BAUTO",    "ETAN",    "EAUTO",    "CUT2DF",   "CUT3DC", "CUT3DF",  "CUT3DFS",  "CUT3DFF", "ORIMKS",  "FTOCON",   "OSC",
+    "OSS",      "OSSE",    "OSD",      "OST",      "SON",    "PON",     "LFON",     "PTP",     "PTPG0",   "ORIEULER", "ORIRPY",
+    "ORIRPY2",  "ORIVECT", "ORIAXES",  "ORIVIRT1", "PAROT",  "TOWSTD",  "TOFRAME",  "TOROT",   "ORIROTA", "RTLIOF",   "WHEN",
+    "WHENEVER", "FROM",    "EVERY",    "DO",       "ID",     "IDS",     "INIT",     "START",   "WAITM",   "WAITE",    "SETM",
+    "ISOCALL",  "TRAORI",  "TRANSMIT", "TRACYL",   "TRAANG", "TRAILON", "TRAILOF",  "LEADON",  "LEADOF",  "EGON",     "EGDEF",
+    "COUPON",   "COUPDEF", "PRESETON", "ADDFRAME", "MEAS",   "MEAW",    "WRITE",    "READ",    "DELETE",  "ISFILE",   "EXECSTRING",
+    "RETB",     "GETT",    "POSA",     "POSP",     "FZ",     "FB",      "FD",       "FDA",     "LIMS",    "OFFN",     "DISC",
+    "LEAD",     "TILT",    "MEAFRAME", "ANG1",     "ANG2",   "DISR",    "DISCL",    "DISRP",   "FAD",     "DITS",     "DITE",
+    "SF",       "SUPD",    "CALCDAT",  "REP",      "SET",    "TLIFT",   "PUNCHACC", "CPON",    "CPDEF",   "AXTOCHAN", "GET",
+    "GETD",     "RELEASE", "AX",       "FGROUP",   "OVR",    "OVRRAP",  "OVRA",     "FL",      "FGREF",   "FRC",      "FRCM"};
 
 }  // namespace
 
@@ -55,6 +54,11 @@ Status BlockRun::code_word(const NamedItem& item, char letter, double code) {
     case 700:
     case 710: feed_unit_ = 0; break;
     case 74: reference_ = true; return {};
+    case 75: fixed_point_ = true; return {};
+    case 58:
+    case 59: shift_ = static_cast<int>(code); return {};
+    case 25:
+    case 26: limits_ = true; return {};
     default: break;
   }
   if (code <= 3) own_.memory.motion = NamedMotion::none;
@@ -62,8 +66,7 @@ Status BlockRun::code_word(const NamedItem& item, char letter, double code) {
 }
 
 Status BlockRun::m_word(const NamedItem& item, double code) {
-  if (item.extension > 1)
-    return fail(alarm(AlarmId::not_available, item.where, std::string_view("M" + std::to_string(item.extension) + "=")));
+  if (item.extension > 1) return spindle_word(item, code);
   if (!(code >= 0) || code != std::round(code)) return fail(alarm(AlarmId::code_unknown, item.where, block_.text_of(item.where)));
   if (code == 17) {
     own_.words.returns = true;
@@ -77,6 +80,8 @@ Result<bool> BlockRun::name(const NamedItem& item, std::size_t& i) {
   if (name == "MSG") return all_right(message(item));
   if (name == "SETAL") return all_right(own_alarm(item));
   if (name == "MCALL") return modal_call(i);
+  if (diameters(name)) return true;
+  if (name == "SETMS") return all_right(master_spindle(item));
   if (name == "RET") {
     if (item.has_arguments && !item.arguments.empty()) return fail(alarm(AlarmId::not_available, item.where, "RET( )"));
     own_.words.returns = true;

@@ -19,6 +19,10 @@ Result<bool> BlockRun::run() {
   if (read_.kind == NamedKind::procedure) return done(own_.procedure(m_, read_));
   if (read_.kind == NamedKind::external || read_.kind == NamedKind::passed_over) return true;
   if (read_.kind == NamedKind::definition) return done(own_.define(m_, read_));
+  if (read_.kind == NamedKind::macro) {
+    own_.memory.macros[read_.name] = read_.text;
+    return true;
+  }
   KADR_TRY(own_.begin_pass(m_));
   if (read_.items.empty()) return true;
   const Keyword keyword = structure_of(block_.text_of(block_.statement.text));
@@ -93,6 +97,7 @@ Status BlockRun::word(const NamedItem& item) {
       break;
     default: break;
   }
+  if (letter == 'S' && item.extension > 1) return spindle_word(item, *value);
   if (extended && !(letter == 'S' && item.extension == 1)) {
     if (axis_of(letter) && (m_.block->has('G'))) return add(letter, *value, item);  // G74 X1=0: a machine axis
     return fail(alarm(AlarmId::not_available, item.where, std::string_view(whole + "=")));
@@ -104,7 +109,7 @@ Status BlockRun::word(const NamedItem& item) {
   return add(letter, *value, item);
 }
 
-bool BlockRun::axis_of(char letter) const { return (m_.letters.axes & letter_bit(letter)) != 0; }
+bool BlockRun::axis_of(char letter) const { return (m_.letters.axes & ~own_.missing_axes & letter_bit(letter)) != 0; }
 
 Status BlockRun::unknown(const NamedItem& item) const { return fail(alarm(AlarmId::name_unknown, item.where, block_.text_of(item.where))); }
 
@@ -209,7 +214,8 @@ Status BlockRun::store(const std::string& name, double value, const NamedItem& i
 Status BlockRun::long_word(const NamedItem& item) {
   const std::string& name = item.name;
   if (is_refused_name(name)) return fail(alarm(AlarmId::not_available, item.where, std::string_view(name)));
-  if (name == "SPOS") {
+  if (name == "POS" || name == "FA") return positioning(item);
+  if (name == "SPOS" || name == "SPOSA") {
     const auto value = number_of(item);
     if (!value) return fail(value.error());
     m_.modal.spindle = SpindleDir::stop;
@@ -219,14 +225,15 @@ Status BlockRun::long_word(const NamedItem& item) {
   if (among(accepted_words, name)) {
     const auto value = own_.evaluate(m_, read_, item.value);
     if (!value) return fail(value.error());
+    if (name == "CTOL") own_.memory.tolerance = std::max(0.0, value->number) * m_.unit_scale();
     return {};
   }
-  constexpr std::string_view stored[] = {"CR", "AR", "AP", "RP", "TURN", "CHR", "RND", "RNDM"};
+  constexpr std::string_view stored[] = {"CR", "AR", "AP", "RP", "TURN", "CHR", "CHF", "RND", "RNDM", "FP", "ANG"};
   if (!among(stored, name)) return fail(alarm(AlarmId::name_unknown, item.where, std::string_view(name)));
   if (!item.arguments.empty()) return unknown(item);
   const auto value = number_of(item);
   if (!value) return fail(value.error());
-  if ((name == "RND" || name == "CHR" || name == "RNDM") && *value < 0)
+  if ((name == "RND" || name == "CHR" || name == "CHF" || name == "RNDM") && *value < 0)
     return fail(alarm(AlarmId::value_out_of_range, item.where, std::string_view(name), *value));
   return store(name, *value, item);
 }

@@ -64,6 +64,20 @@ class BlockRun {
   /// SETAL(n): stops with the program's own alarm; 62000 to 62999 and from 67000 on it is only shown (spec/sinumerik 9.4).
   Status own_alarm(const NamedItem& item);
   Result<bool> modal_call(std::size_t& i);
+  /// DIAMON, DIAM90, DIAMOF: words of X are diameters (spec/sinumerik 10). Returns false for any other name.
+  bool diameters(const std::string& name);
+  Status master_spindle(const NamedItem& item);
+  /// M2=3, S2=500: a spindle other than the master. The words of a block act together at its end.
+  Status spindle_word(const NamedItem& item, double value);
+  void start_spindles();
+  /// POS[X]=5, FA[X]=200: a positioning axis (spec/sinumerik 3.1).
+  Status positioning(const NamedItem& item);
+  Status position_axes();
+  /// G58, G59: the coarse and the fine shift of the programmable frame (spec/sinumerik 11.2).
+  Status shift_frame();
+  Status to_fixed_point();
+  /// G25 S, G26 S: the limits of the speed are those of the machine here. INFERRED: the limits of the working area are refused.
+  Status speed_limits() const;
   Result<bool> finish();
   void scale_feed();
   Status dwell();
@@ -71,6 +85,8 @@ class BlockRun {
   Status pole();
   /// AP and RP are modal: the one that is left out keeps its value.
   Status polar_words();
+  /// ANG=a: a line by its angle and one coordinate of its end (spec/sinumerik 12.4).
+  Status angle_word();
   /// G53, G153, SUPA: the words are positions in the machine, with the tool length in them. They are converted to programmed coordinates.
   Status machine_words();
   Status to_reference();
@@ -85,8 +101,12 @@ class BlockRun {
   Block& block_;
   std::optional<NamedItem> call_;
   double times_ = 1;
-  bool in_dwell_ = false, tapping_ = false, reference_ = false;
+  bool in_dwell_ = false, tapping_ = false, reference_ = false, fixed_point_ = false, limits_ = false;
   int pole_ = 0;
+  int shift_ = 0;               // 58, 59
+  std::uint32_t spindles_ = 0;  // spindles whose speed or direction the block changes, one bit each
+  AxisMask positioned_ = 0;     // axes of POS
+  Axes positions_{};            // programmed coordinates
   std::optional<int> feed_unit_;
 };
 

@@ -18,7 +18,13 @@ Result<bool> BlockRun::finish() {
   if (in_dwell_) return done(dwell());
   if (pole_ != 0) return done(pole());
   if (reference_) return done(to_reference());
+  if (fixed_point_) return done(to_fixed_point());
+  if (shift_ != 0) return done(shift_frame());
+  if (limits_) return done(speed_limits());
+  start_spindles();
+  KADR_TRY(position_axes());
   KADR_TRY(polar_words());
+  KADR_TRY(angle_word());
   if (own_.words.has("RNDM")) own_.memory.rounding = own_.words.number("RNDM") * m_.unit_scale();
   if (feed_unit_) own_.memory.feed_in_mm = *feed_unit_ == 1;
   if (block_.has('F') && own_.memory.feed_in_mm) scale_feed();
@@ -96,6 +102,28 @@ Status BlockRun::polar_words() {
   item.form = WordForm::incremental;
   for (const std::size_t a : {plane.first, plane.second}) KADR_TRY(add(m_.letters.axis_letter[a], 0, item));
   return {};
+}
+
+Status BlockRun::angle_word() {
+  if (!own_.words.has("ANG")) return {};
+  const PlaneAxes plane = m_.modal.axes;
+  const char letters[] = {m_.letters.axis_letter[plane.first], m_.letters.axis_letter[plane.second]};
+  const Span where = own_.words.where("ANG");
+  if (block_.has(letters[0]) == block_.has(letters[1])) return fail(alarm(AlarmId::not_available, where, "ANG"));
+  Axes to;
+  AxisMask named = 0;
+  KADR_TRY(m_.target(to, named));
+  const Axes& at = m_.position.programmed;
+  const SinCos turn = sincos_deg(own_.words.number("ANG"));
+  const bool has_first = block_.has(letters[0]);
+  const std::size_t known = has_first ? plane.first : plane.second, other = has_first ? plane.second : plane.first;
+  const double along = has_first ? turn.cos : turn.sin, across = has_first ? turn.sin : turn.cos;
+  if (std::fabs(along) <= tol::same_point) return fail(alarm(AlarmId::value_out_of_range, where, "ANG", own_.words.number("ANG")));
+  NamedItem item;
+  item.where = where;
+  item.form = WordForm::absolute;
+  const double diameter = (m_.modal.diameter >> other & 1U) != 0 ? 2 : 1;
+  return add(letters[has_first ? 1 : 0], (at[other] + (to[known] - at[known]) / along * across) * diameter / m_.unit_scale(), item);
 }
 
 Status BlockRun::machine_words() {

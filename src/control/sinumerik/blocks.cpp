@@ -11,7 +11,8 @@ namespace kadr::sinumerik {
 namespace {
 
 /// G codes that the words of the table do not describe completely; a block with one of them is read by lang/named.
-constexpr int own_codes[] = {4, 33, 53, 70, 71, 74, 75, 110, 111, 112, 147, 148, 153, 247, 248, 331, 332, 347, 348, 700, 710};
+constexpr int own_codes[] = {4,   25,  26,  33,  53,  58,  59,  70,  71,  74,  75,  110, 111,
+                             112, 147, 148, 153, 247, 248, 331, 332, 347, 348, 700, 710};
 bool is_own_code(double code) {
   return std::any_of(std::begin(own_codes), std::end(own_codes), [&](int own) { return own == code; });
 }
@@ -35,6 +36,10 @@ Result<bool> Sinumerik::takes_block(Interpreter& m) {
   previous_ = m.position.work;
   if (!needs_names(m)) {
     level().executing = true;
+    if ((m.block->letters & missing_axes) != 0)
+      for (std::uint32_t i = 0; i < m.block->word_count; ++i)
+        if (const Word& w = m.block->words[i]; (missing_axes & letter_bit(w.address)) != 0)
+          return fail(alarm(AlarmId::not_available, w.where, w.address));
     if (const Word* const f = m.block->find('F'); f != nullptr && !(f->value > 0))
       return fail(alarm(AlarmId::value_out_of_range, f->where, 'F', f->value));
     KADR_TRY(m.take_words());
@@ -69,6 +74,36 @@ Result<bool> Sinumerik::run_named(Interpreter& m) {
     if (memory.levels.size() == 1 && level().name.empty()) level().name = plain_program_name(text);
     return true;
   }
+  load_globals(m);
+  // Further edges need rows before the block notes any row that it changes.
+  if (text.find("$TC_DP") != std::string_view::npos && m.tables.offsets.size() < edge_row(tool_rows, most_edges))
+    m.tables.offsets.resize(edge_row(tool_rows, most_edges));
+  const Span written = block.statement.text;
+  const bool changed = put_macros(block);
+  auto done = run_statement(m);
+  if (done || !changed) return done;
+  Alarm fault = done.error();
+  fault.where = written;  // the place in the text of a macro is none in the program
+  return fail(fault);
+}
+
+/// Replaces the macros in the statement of the block. Returns false if it has none.
+bool Sinumerik::put_macros(Block& block) {
+  const std::string_view text = block.text_of(block.statement.text);
+  if (memory.macros.empty() || leading_name(text) == "DEFINE") return false;
+  const auto replaced = with_macros(text, memory.macros);
+  if (!replaced) return false;
+  expanded_ = std::string(block.text.substr(0, block.statement.text.begin)) + *replaced;
+  const auto end = static_cast<std::uint32_t>(expanded_.size());
+  expanded_.append(block.text.size() > expanded_.size() ? block.text.size() - expanded_.size() : 0, ' ');
+  block.text = expanded_;
+  block.statement.text.end = end;
+  return true;
+}
+
+Result<bool> Sinumerik::run_statement(Interpreter& m) {
+  Block& block = *scratch_;
+  const std::string_view text = block.text_of(block.statement.text);
   std::string key(text);
   key += static_cast<char>(block.statement.text.begin & 0x7F);
   auto& kept = read_[key];

@@ -9,18 +9,28 @@
 namespace kadr::sinumerik {
 namespace {
 
-/// Returns the path of the folder of a file, with its last slash; empty if the path has no folder.
-std::string folder_of(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
-  return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
-}
-
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
 
 }  // namespace
+
+std::vector<std::string> folders_near(const std::string& main_file, std::initializer_list<const char*> names) {
+  const auto folder_of = [](const std::string& path) {
+    const std::size_t slash = path.find_last_of('/');
+    return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+  };
+  std::string folder = folder_of(main_file);
+  std::vector<std::string> all{folder};
+  constexpr int levels = 3;  // the program's own folder; for MPF.DIR, the folder with SPF.DIR; for a workpiece, the one around WKS.DIR
+  for (int level = 0; level < levels; ++level) {
+    for (const char* const name : names) all.push_back(folder + name + "/");
+    if (folder.empty() || folder == "/") break;
+    folder = folder_of(folder.substr(0, folder.size() - 1));
+  }
+  return all;
+}
 
 /// Finds a program: first among the programs of the same file, then as a file in the folder of the main program (spec/sinumerik 1).
 std::optional<FoundProgram> Sinumerik::find_program(Interpreter& m, std::string_view written) {
@@ -35,8 +45,7 @@ std::optional<FoundProgram> Sinumerik::find_program(Interpreter& m, std::string_
     for (const ProgramRow& program : all.programs())
       if (!found && program.name == name) found = FoundProgram{reader, program.begin};
   }
-  const std::string folder = folder_of(m.program().main_file());
-  for (const std::string& inside : {folder, folder + "SPF.DIR/", folder + "CUS.DIR/", folder + "CMA.DIR/"})
+  for (const std::string& inside : folders_near(m.program().main_file(), {"SPF.DIR", "CUS.DIR", "CMA.DIR"}))
     for (const std::string& base : {name, lower(name), "_N_" + name + "_SPF"})
       for (const char* ending : {".SPF", ".spf", ".MPF", ".mpf", ""}) {
         if (found || (base.starts_with("_N_") && *ending != '\0')) continue;
@@ -142,40 +151,55 @@ Status Sinumerik::leave(Interpreter& m, Span where) {
   return set_programmable(m, ended.saved_frame, where);
 }
 
+Result<std::shared_ptr<Variable>> Sinumerik::made_variable(BlockContext& m, const NamedBlock& block, const NamedDefinition& row) {
+  const Type type = type_named(block.types[0]);
+  constexpr double most_elements = 1'000'000;
+  auto made = std::make_shared<Variable>();
+  made->type = type;
+  double count = 1;
+  for (const NamedExpression& size : row.sizes) {
+    const auto value = number(m, block, size, row.where);
+    if (!value) return fail(value.error());
+    const double whole = std::round(*value);
+    count *= whole;
+    if (!(whole >= 1) || count > most_elements) return fail(alarm(AlarmId::index_range, row.where, std::string_view(row.name), whole));
+    made->sizes.push_back(static_cast<std::uint32_t>(whole));
+  }
+  if (made->sizes.size() > 3) return fail(alarm(AlarmId::index_range, row.where, std::string_view(row.name), double(made->sizes.size())));
+  made->values.assign(static_cast<std::size_t>(count), initial_value(type));
+  double filled = static_cast<double>(made->values.size());  // DEF REAL A[3]=5 and REP(5) set every element, REP(5,2) two of them
+  if (row.repeated) {
+    const auto some = number(m, block, row.repeated, row.where);
+    if (!some) return fail(some.error());
+    filled = std::round(*some);
+    if (!(filled >= 0) || filled > double(made->values.size()))
+      return fail(alarm(AlarmId::index_range, row.where, std::string_view(row.name), filled));
+  }
+  if (row.initial.size() > made->values.size())
+    return fail(alarm(AlarmId::index_range, row.where, std::string_view(row.name), double(row.initial.size() - 1)));
+  for (std::size_t i = 0; i < row.initial.size(); ++i) {
+    const auto value = evaluate(m, block, row.initial[i]);
+    if (!value) return fail(value.error());
+    if (value->omitted) continue;
+    const auto fits = converted(*value, type, row.where);
+    if (!fits) return fail(fits.error());
+    made->values[i] = *fits;
+    if (row.initial.size() == 1) std::fill_n(made->values.begin(), static_cast<std::size_t>(filled), *fits);
+  }
+  return made;
+}
+
 /// DEF: makes local variables (spec/sinumerik 6.1).
 Status Sinumerik::define(Interpreter& m, const NamedBlock& block) {
   Level& own = level();
-  const Type type = type_named(block.types[0]);
-  constexpr double most_elements = 1'000'000;
+  if (block.global) return fail(alarm(AlarmId::not_available, m.block->statement.text, "DEF NCK, DEF CHAN"));
   for (const NamedDefinition& row : block.definitions) {
     // A loop or a jump back may execute DEF again; the control forbids a second DEF of the name in the text.
     if (own.variables.contains(row.name) && !own.executing)
       return fail(alarm(AlarmId::name_defined_twice, row.where, std::string_view(row.name)));
-    auto made = std::make_shared<Variable>();
-    made->type = type;
-    double count = 1;
-    for (const NamedExpression& size : row.sizes) {
-      const auto value = number(m, block, size, row.where);
-      if (!value) return fail(value.error());
-      const double whole = std::round(*value);
-      count *= whole;
-      if (!(whole >= 1) || count > most_elements) return fail(alarm(AlarmId::index_range, row.where, std::string_view(row.name), whole));
-      made->sizes.push_back(static_cast<std::uint32_t>(whole));
-    }
-    if (made->sizes.size() > 3) return fail(alarm(AlarmId::index_range, row.where, std::string_view(row.name), double(made->sizes.size())));
-    made->values.assign(static_cast<std::size_t>(count), initial_value(type));
-    if (row.initial.size() > made->values.size())
-      return fail(alarm(AlarmId::index_range, row.where, std::string_view(row.name), double(row.initial.size() - 1)));
-    for (std::size_t i = 0; i < row.initial.size(); ++i) {
-      const auto value = evaluate(m, block, row.initial[i]);
-      if (!value) return fail(value.error());
-      if (value->omitted) continue;
-      const auto fits = converted(*value, type, row.where);
-      if (!fits) return fail(fits.error());
-      made->values[i] = *fits;
-      if (row.initial.size() == 1) std::fill(made->values.begin(), made->values.end(), *fits);  // DEF REAL A[3]=5 sets every element
-    }
-    own.variables[row.name] = made;
+    auto made = made_variable(m, block, row);
+    if (!made) return fail(made.error());
+    own.variables[row.name] = std::move(*made);
   }
   return {};
 }

@@ -155,8 +155,7 @@ class CycleMaker {
 
   // NOLINTNEXTLINE(readability-function-size): the steps of each cycle, as the manual lists them
   Status drill_by_arguments(const std::string& name) {
-    const bool known = name == "CYCLE81" || name == "CYCLE82" || name == "CYCLE83" || name == "CYCLE84" || name == "CYCLE85" ||
-                       name == "CYCLE86" || name == "CYCLE87" || name == "CYCLE88" || name == "CYCLE89";
+    const bool known = name.size() == 7 && name.starts_with("CYCLE8") && name[6] >= '1' && name[6] <= '9';
     if (!known) return fail(alarm(AlarmId::not_available, where_, std::string_view(name)));
     KADR_TRY(levels());
     if (name != "CYCLE84" && name != "CYCLE85") KADR_TRY(m_.feed_known(where_));
@@ -366,18 +365,7 @@ class CycleMaker {
 
 }  // namespace
 
-bool Sinumerik::is_cycle(std::string_view name) {
-  if (name.starts_with("CYCLE") && name.size() > 5 && is_digit(name[5])) return true;
-  constexpr std::string_view others[] = {"HOLES1", "HOLES2", "POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1", "SLOT2", "LONGHOLE"};
-  return std::find(std::begin(others), std::end(others), name) != std::end(others);
-}
-
-Status Sinumerik::run_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where) {
-  const bool passed_over = name == "CYCLE832" || name == "CYCLE750" || name == "CYCLE751" || name == "CYCLE752" || name == "CYCLE753" ||
-                           name == "CYCLE754" || name == "CYCLE755" || name == "CYCLE756" || name == "CYCLE757" || name == "CYCLE758" ||
-                           name == "CYCLE759";
-  if (passed_over) return {};  // settings of the path control: the programmed path stays as it is (spec/sinumerik 14.6)
-  if (name == "CYCLE800" && arguments.empty()) return {};
+Status Sinumerik::start_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where) {
   if (name != "HOLES1" && name != "HOLES2" && m.modal.radius_side != 0)
     return fail(alarm(AlarmId::compensation_active, where, std::string_view(name)));
   for (const Value& each : arguments)

@@ -34,7 +34,24 @@ Status Sinumerik::restore(BlockContext& m, const DialectState& from) {
   return {};
 }
 
+/// The machine has X, Y, Z, and of the further axes those that the set-up names (spec/sinumerik 0).
+void Sinumerik::take_axes(Emitter& m, const Setup& setup) {
+  constexpr std::size_t geometry_axes = 3;
+  std::size_t count = geometry_axes;
+  missing_axes = 0;
+  for (std::size_t a = geometry_axes; a < m.def.axes.size(); ++a) {
+    const std::string& name = m.def.axes[a];
+    const bool named = std::find(setup.axes.begin(), setup.axes.end(), name) != setup.axes.end();
+    if (named) count = a + 1;
+    else missing_axes |= letter_bit(name[0]);
+  }
+  m.axis_names = m.def.axes;
+  m.axis_names.resize(count);
+  m.axis_count = count;
+}
+
 void Sinumerik::take_setup(Emitter& m, const Setup& setup) {
+  take_axes(m, setup);
   for (std::size_t n = 0; n < settable_frames && n < m.tables.zeros.size(); ++n) memory.settable[n].shift = m.tables.zeros[n];
   for (const auto& [tool, offset] : setup.offsets) table_.insert(tool);
   for (const auto& [name, value] : setup.variables) {
@@ -47,7 +64,7 @@ void Sinumerik::take_setup(Emitter& m, const Setup& setup) {
   if (memory.edge != 0 || m.modal.tool != 0) {
     const bool off = std::find(setup.modal.begin(), setup.modal.end(), "D0") != setup.modal.end();
     memory.edge = off ? 0 : std::max<std::uint32_t>(1, memory.edge);
-    m.modal.offset_number = off || m.modal.tool >= m.tables.offsets.size() ? 0 : m.modal.tool;
+    m.modal.offset_number = off || m.modal.tool >= tool_rows ? 0 : m.modal.tool;
   }
   words = {};
   memory.levels.front().executing = false;
@@ -56,18 +73,18 @@ void Sinumerik::take_setup(Emitter& m, const Setup& setup) {
 bool Sinumerik::knows_tool(const BlockContext& m, double tool) const {
   if (table_.empty() || tool == 0 || table_.contains(static_cast<int>(tool))) return true;
   const auto number = static_cast<std::size_t>(tool);
-  return number < m.tables.offsets.size() && !(m.tables.offsets[number] == ToolOffset{});  // $TC_DP of the program
+  return number < tool_rows && number < m.tables.offsets.size() && !(m.tables.offsets[number] == ToolOffset{});  // $TC_DP of the program
 }
 
 /// Puts an edge of the tool in force (spec/sinumerik 5).
 Status Sinumerik::activate_edge(Emitter& m, std::uint32_t edge, Span where) {
   const std::uint32_t tool = m.modal.tool;
-  const bool in_table = tool != 0 && tool < m.tables.offsets.size();
+  const bool in_table = tool != 0 && tool < tool_rows && tool < m.tables.offsets.size();
   const auto own = memory.edges.find({tool, edge});
-  if (edge > 1 && own == memory.edges.end()) return fail(alarm(AlarmId::edge_missing, where, double(tool), double(edge)));
+  if (edge > 1 && (own == memory.edges.end() || !in_table)) return fail(alarm(AlarmId::edge_missing, where, double(tool), double(edge)));
   memory.edge = edge;
-  m.modal.offset_number = edge == 0 || !in_table ? 0 : tool;
-  if (edge > 1) return fail(alarm(AlarmId::not_available, where, std::string_view("D" + std::to_string(edge))));
+  m.modal.offset_number = edge == 0 || !in_table ? 0 : edge_row(tool, edge);
+  if (edge > 1) m.tables.offsets[m.modal.offset_number] = own->second;
   m.change_frames();
   return {};
 }
@@ -77,13 +94,16 @@ void Sinumerik::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
     case Function::change_tool: {
       const std::uint32_t edge = words.edge.value_or(m.modal.tool == 0 ? 0 : 1);
       words.edge.reset();
-      if (edge <= 1) (void)activate_edge(m, edge, words.edge_where);
+      if (edge <= 1 || memory.edges.contains({m.modal.tool, edge})) (void)activate_edge(m, edge, words.edge_where);
+      else words.edge = edge;  // after_block() raises the alarm
       break;
     }
     case Function::work_zero:
       memory.active = memory.settable[static_cast<std::size_t>(row.arg)];
       m.change_frames();
       break;
+    case Function::constant_velocity: m.modal.blend_tolerance = row.code == "G64" ? 0 : memory.tolerance; break;
+    case Function::exact_stop_mode: m.modal.blend_tolerance = 0; break;
     case Function::plane_xy:
     case Function::plane_zx:
     case Function::plane_yz: m.change_frames(); break;
@@ -141,7 +161,7 @@ bool Sinumerik::end_program(Interpreter& m) {
   level().modal_call.reset();
   m.flow.frames().clear();
   memory.motion = NamedMotion::none;
-  memory.rounding = 0;
+  memory.rounding = memory.tolerance = m.modal.blend_tolerance = 0;
   memory.feed_in_mm = false;
   memory.programmable = {};
   m.transform = Transform();

@@ -191,7 +191,9 @@ std::optional<Result<Value>> text_function(const std::string& name, const std::v
 
 std::shared_ptr<Variable> Sinumerik::variable(const std::string& name) {
   const auto found = level().variables.find(name);
-  return found == level().variables.end() ? nullptr : found->second;
+  if (found != level().variables.end()) return found->second;
+  const auto global = memory.globals.find(name);
+  return global == memory.globals.end() ? nullptr : global->second;
 }
 
 Result<std::size_t> Sinumerik::element(BlockContext& m, const NamedBlock& block, const std::string& name, const Variable& of,

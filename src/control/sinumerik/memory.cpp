@@ -15,6 +15,7 @@ Memory separate_copy(const Memory& memory) {
     if (own == nullptr) own = std::make_shared<Variable>(*shared);
     shared = own;
   };
+  for (auto& [name, variable] : copy.globals) copied(variable);
   for (Level& level : copy.levels) {
     for (auto& [name, variable] : level.variables) copied(variable);
     for (auto& reference : level.references) copied(reference);

@@ -13,11 +13,17 @@
 #include "control/sinumerik/value.h"
 #include "control/state/control_state.h"
 #include "lang/block/block.h"
+#include "lang/named/named_macros.h"
 
 namespace kadr::sinumerik {
 
 inline constexpr std::size_t parameter_count = 300;  // R0 to R299 (MD28050)
 inline constexpr std::size_t settable_frames = 100;  // G500, G54 to G57, G505 to G599
+
+/// Rows of Tables::offsets: those below tool_rows are edge 1 of the tool with this number; edge e of tool t is row 1000 e + t.
+inline constexpr std::uint32_t tool_rows = 1000;
+inline constexpr std::uint32_t most_edges = 9;
+constexpr std::uint32_t edge_row(std::uint32_t tool, std::uint32_t edge) { return edge <= 1 ? tool : tool_rows * edge + tool; }
 
 using Variables = std::map<std::string, std::shared_ptr<Variable>>;
 
@@ -58,10 +64,15 @@ struct Modes {
   NamedMotion motion = NamedMotion::none;
   Vec2 pole;  // in the plane, programmed coordinates
   double polar_angle = 0, polar_radius = 0;
-  double rounding = 0;      // RNDM
-  std::uint32_t edge = 0;   // D in force
-  bool feed_in_mm = false;  // G70: words of axes are in inches, F is in mm
-  Vec2 direction;           // of the last motion at its end, in the plane of that motion, programmed coordinates
+  double rounding = 0;                      // RNDM
+  std::uint32_t edge = 0;                   // D in force
+  bool radius_increments = false;           // DIAM90: increments of the axis of diameters are radii
+  Axes positioning_feed{};                  // FA, mm/min or degrees/min; 0: rapid
+  double tolerance = 0;                     // CTOL, CYCLE832: of G642 to G645, mm; 0: none
+  std::array<double, 10> speeds{};          // S2=, S3= …, rev/min, by the number of the spindle
+  std::array<SpindleDir, 10> directions{};  // M2=, M3= …
+  bool feed_in_mm = false;                  // G70: words of axes are in inches, F is in mm
+  Vec2 direction;                           // of the last motion at its end, in the plane of that motion, programmed coordinates
   PlaneAxes direction_plane;
   bool has_direction = false;
 };
@@ -69,6 +80,9 @@ struct Modes {
 struct Memory : Modes {
   std::array<double, parameter_count> parameters{};
   std::vector<Level> levels{1};
+  Variables globals;            // global data (GUD) of the definition files
+  NamedMacros macros;           // DEFINE, of the program and the definition files
+  bool globals_loaded = false;  // the definition files were looked for
   std::vector<RepeatedPart> repeated;
   std::vector<Frame> settable = std::vector<Frame>(settable_frames);
   std::map<std::pair<std::uint32_t, std::uint32_t>, ToolOffset> edges;  // of $TC_DP: {tool, edge}; edge 1 is in Tables::offsets too

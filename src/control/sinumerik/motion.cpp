@@ -159,12 +159,15 @@ Status Sinumerik::target(const BlockContext& m, Axes& to, AxisMask& named) const
     const char letter = m.letters.axis_letter[a];
     if (letter == 0 || !m.has(letter)) continue;
     const WordForm form = words.forms[static_cast<std::size_t>(letter - 'A')];
-    if (form == WordForm::plain && !words.machine) continue;
+    const bool diameter = (m.modal.diameter >> a & 1U) != 0;
+    const bool radius_increment = diameter && memory.radius_increments && (form == WordForm::incremental || !m.modal.absolute);
+    if (form == WordForm::plain && !words.machine && !radius_increment) continue;
     const bool is_length = m.def.address(letter).unit == WordUnit::length;
-    const double value = m.value(letter) * (is_length ? m.unit_scale() : 1.0);
+    const double value = m.value(letter) * (is_length ? m.unit_scale() : 1.0) * (diameter && !radius_increment ? 0.5 : 1.0);
     const double now = m.position.programmed[a];
     switch (form) {
-      case WordForm::incremental: to[a] = now + value; break;
+      case WordForm::plain:
+      case WordForm::incremental: to[a] = form == WordForm::plain && (words.machine || m.modal.absolute) ? value : now + value; break;
       case WordForm::direct:
       case WordForm::positive:
       case WordForm::negative: {
@@ -200,8 +203,9 @@ void Sinumerik::note_motion(Emitter& m, Motion& motion) {
   double rounding = memory.rounding, chamfer = 0;
   if (words.has("RND")) rounding = words.number("RND") * unit;
   if (words.has("CHR")) chamfer = words.number("CHR") * unit, rounding = 0;
+  if (words.has("CHF")) chamfer = -words.number("CHF") * unit, rounding = 0;  // its own length (path/compensation/contour_motion.h)
   const AxisMask plane = AxisMask{1} << motion.first | AxisMask{1} << motion.second;
-  if (cuts && (motion.named & plane) != 0 && (rounding > 0 || chamfer > 0)) {
+  if (cuts && (motion.named & plane) != 0 && (rounding > 0 || chamfer != 0)) {
     auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
     CornerData corner;
     corner.rounding = rounding * m.transform.corner_scale(m.modal.axes);

@@ -37,6 +37,10 @@ struct BlockWords {
   Span where(const std::string& name) const { return places.at(name); }
 };
 
+/// Returns the folders in which the control looks for something besides the folder of the main program: `names` below that folder, below
+/// the one around it, and below the next one, as archives have them (spec/sinumerik 1).
+std::vector<std::string> folders_near(const std::string& main_file, std::initializer_list<const char*> names);
+
 /// A program with this name among the files of the run.
 struct FoundProgram {
   std::uint16_t reader = 0;
@@ -52,7 +56,7 @@ struct WrittenValue {
 
 class Sinumerik final : public Dialect {
  public:
-  explicit Sinumerik(const RunLimits& limits) : folder_(limits.files) {}
+  explicit Sinumerik(const RunLimits& limits) : folder_(limits.files), door_(limits.door) {}
 
   // ---- program
   std::shared_ptr<const DialectState> snapshot() const override;
@@ -88,6 +92,7 @@ class Sinumerik final : public Dialect {
   // ---- used by the parts in this folder
   Memory memory;
   BlockWords words;
+  std::uint64_t missing_axes = 0;  // letters of axes that the machine does not have
 
   Result<Value> evaluate(BlockContext& m, const NamedBlock& block, NamedExpression expression);
   /// Returns the values that remain on the stack, such as the operands of SET(…), whose last step is left out.
@@ -129,8 +134,14 @@ class Sinumerik final : public Dialect {
   Status leave(Interpreter& m, Span where);
   Status call_item(Interpreter& m, const NamedBlock& block, const NamedItem& item, std::uint32_t times, bool modal);
   Status define(Interpreter& m, const NamedBlock& block);
+  /// Makes the variable of a row of DEF, with its initial values (spec/sinumerik 6.1).
+  Result<std::shared_ptr<Variable>> made_variable(BlockContext& m, const NamedBlock& block, const NamedDefinition& row);
+  // global_data.cpp
+  /// Reads the definition files (global data, macros) once, before the first block that may use them.
+  void load_globals(BlockContext& m);
   Status begin_pass(Interpreter& m);
-  // cycles.cpp
+  // cycles.cpp: works out the steps; cycle_calls.cpp
+  Status start_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
   static bool is_cycle(std::string_view name);
   Status run_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
   // frames.cpp
@@ -146,9 +157,16 @@ class Sinumerik final : public Dialect {
   struct State;
   bool needs_names(const BlockContext& m) const;
   Result<bool> run_named(Interpreter& m);
+  Result<bool> run_statement(Interpreter& m);
+  bool put_macros(Block& block);
+
+  void take_axes(Emitter& m, const Setup& setup);
+  void load_definitions(BlockContext& m, const std::string& path);
 
   std::set<int> table_;  // tools of the set-up
   std::string folder_;
+  const FileAccess* door_;
+  std::string expanded_;                                                     // text of the block after its macros were replaced
   std::vector<std::unique_ptr<ProgramIndex>> indices_;                       // by file
   std::unordered_map<std::string, std::shared_ptr<const NamedBlock>> read_;  // blocks as read, by their text
   std::map<std::string, std::optional<FoundProgram>> found_;

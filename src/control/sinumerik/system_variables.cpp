@@ -104,7 +104,7 @@ Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, c
   if (name == "$P_PFRAME") return of_frame(memory.programmable, 0);
   if (name == "$P_ACTFRAME") return of_frame(chained(memory.active, memory.programmable), 0);
   if (const auto of = axis(0); of && indices.size() == 1) {
-    if (name == "$AA_IW" || name == "$P_EP") return real(m.position.programmed[*of]);
+    if (name == "$AA_IW" || name == "$P_EP") return real(m.position.programmed[*of] * ((m.modal.diameter >> *of & 1U) != 0 ? 2 : 1));
     if (name == "$AA_IM") return real(m.position.machine[*of]);
     if (name == "$AA_IB") return real(m.position.machine[*of] - m.frames.length[*of]);
     return unknown();
@@ -124,7 +124,7 @@ Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, c
     const int number = std::atoi(name.c_str() + 6);
     const auto tool = static_cast<std::uint32_t>(std::max(0.0, index(0))), edge = static_cast<std::uint32_t>(std::max(0.0, index(1)));
     const auto own = memory.edges.find({tool, edge});
-    const bool in_table = edge == 1 && tool < m.tables.offsets.size();
+    const bool in_table = edge == 1 && tool < tool_rows && tool < m.tables.offsets.size();
     if (own == memory.edges.end() && !in_table) return fail(alarm(AlarmId::edge_missing, where, double(tool), double(edge)));
     const ToolOffset& offset = own != memory.edges.end() ? own->second : m.tables.offsets[tool];
     if (number == lengths[0]) return real(offset.length);
@@ -132,6 +132,7 @@ Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, c
     if (number == 7) return real(offset.corner);
     if (number == 12) return real(offset.length_wear);
     if (number == 15) return real(offset.radius_wear);
+    if (number <= 30) return real(0);
     return unknown();
   }
   return unknown();
@@ -178,16 +179,19 @@ Status Sinumerik::write_system(Interpreter& m, const std::string& name, const st
     const double tool = index(0), edge = index(1);
     if (!value.is_number() || !(tool >= 1 && tool <= 32000) || !(edge >= 1 && edge <= 9)) return unknown();
     const auto t = static_cast<std::uint32_t>(tool), e = static_cast<std::uint32_t>(edge);
-    const bool in_table = e == 1 && t < m.tables.offsets.size();
+    const bool in_table = e == 1 && t < tool_rows && t < m.tables.offsets.size();
     ToolOffset& offset = in_table ? m.tables.offsets[t] : memory.edges[{t, e}];
     if (in_table) m.journal.keep(m.tables.offsets[t]);
+    else if (const std::uint32_t row = edge_row(t, e); row < m.tables.offsets.size()) m.journal.keep(m.tables.offsets[row]);
     if (number == lengths[0]) offset.length = value.number;
     else if (number == 6) offset.radius = value.number;
     else if (number == 7) offset.corner = value.number;
     else if (number == 12) offset.length_wear = value.number;
     else if (number == 15) offset.radius_wear = value.number;
     else if (number != 1 && number != 2) return fail(alarm(AlarmId::not_available, where, std::string_view(name)));
-    if (m.modal.tool == t && memory.edge == e) m.change_frames();
+    if (m.modal.tool != t || memory.edge != e) return {};
+    if (!in_table && edge_row(t, e) < m.tables.offsets.size()) m.tables.offsets[edge_row(t, e)] = offset;
+    m.change_frames();
     return {};
   }
   return unknown();

@@ -94,18 +94,22 @@ struct NamedItem {
 struct NamedDefinition {
   std::string name;
   std::vector<NamedExpression> sizes;    // array
-  std::vector<NamedExpression> initial;  // values after =
+  std::vector<NamedExpression> initial;  // values after =; of REP(v, n) only v
+  NamedExpression repeated;              // n of REP(v, n): number of elements that get the value; empty: all of them
+  bool repeats = false;                  // REP(v) or REP(v, n)
   bool by_reference = false;
   Span where;
 };
 
 /// What a statement that stands alone in its block is.
-enum class NamedKind : std::uint8_t { items, definition, procedure, external, passed_over };
+enum class NamedKind : std::uint8_t { items, definition, procedure, external, macro, passed_over };
 
 struct NamedBlock {
   NamedKind kind = NamedKind::items;
   std::vector<NamedItem> items;
-  std::string name;                          // PROC, EXTERN: name of the program
+  std::string name;                          // PROC, EXTERN: name of the program; DEFINE: name of the macro
+  std::string text;                          // DEFINE: the text that replaces the name
+  bool global = false;                       // DEF NCK, DEF CHAN: global data, which only definition files may have
   std::vector<std::string> types;            // DEF: one type; PROC, EXTERN: the type of each parameter
   std::vector<NamedDefinition> definitions;  // DEF, PROC
   std::vector<std::string> attributes;       // PROC: SAVE …

@@ -1,4 +1,4 @@
-// Reads DEF, PROC and EXTERN. Used by lang/named/named_parser; tested by tests/lang/named_test.cpp.
+// Reads DEF, DEFINE, PROC and EXTERN. Used by lang/named/named_parser; tested by tests/lang/named_test.cpp.
 
 #include "lang/named/named_declaration.h"
 
@@ -16,6 +16,7 @@ bool is_type(std::string_view name) { return std::find(std::begin(types), std::e
 
 Status NamedDeclarations::declaration(const std::string& keyword) {
   at_ += keyword.size();
+  if (keyword == "DEFINE") return macro();
   if (keyword == "DEF") return definition();
   block_.kind = keyword == "PROC" ? NamedKind::procedure : NamedKind::external;
   skip();
@@ -90,24 +91,58 @@ Status NamedDeclarations::open_indices(std::vector<NamedExpression>& to) {
   return indices(to);
 }
 
-Status NamedDeclarations::definition() {
-  block_.kind = NamedKind::definition;
-  std::string type;
+/// Reads DEFINE NAME AS text. The text goes to the end of the block; a comment is no part of it.
+Status NamedDeclarations::macro() {
+  block_.kind = NamedKind::macro;
+  skip();
+  block_.name = take_name();
+  if (block_.name.empty()) return syntax();
+  skip();
+  if (take_name() != "AS") return syntax();
+  skip();
+  block_.text = std::string(text_.substr(at_));
+  at_ = text_.size();
+  return {};
+}
+
+/// Passes over what a definition says about access, limits and units (spec/sinumerik 6.1): APR 3, PHU 24, LLI 0, ULI 10, SYNR, INIRE.
+/// Returns false if the name at the place of reading is none of these.
+Result<bool> NamedDeclarations::modifier() {
+  constexpr std::string_view alone[] = {"SYNR", "SYNW", "SYNRW", "INIPO", "INIRE", "INICF", "PRLOC", "DCM", "DCI", "DCU"};
+  constexpr std::string_view with_value[] = {"PHU", "LLI", "ULI", "APR", "APW", "APRP", "APWP", "APRB", "APWB"};
+  const std::string name = name_here();
+  if (name == "NCK" || name == "CHAN") block_.global = true;
+  const bool is_alone = name == "NCK" || name == "CHAN" || std::find(std::begin(alone), std::end(alone), name) != std::end(alone);
+  const bool has_value = std::find(std::begin(with_value), std::end(with_value), name) != std::end(with_value);
+  if (!is_alone && !has_value) return false;
+  at_ += name.size();
+  if (!has_value) return true;
+  NamedExpression value;
+  skip();
+  KADR_TRY(expression(value));
+  return true;
+}
+
+Status NamedDeclarations::modifiers() {
   for (;;) {
     skip();
-    const std::size_t begin = at_;
-    type = take_name();
-    if (is_type(type)) break;
-    if (type == "NCK" || type == "CHAN") return fail(alarm(AlarmId::not_available, span(begin, at_), std::string_view("DEF " + type)));
-    if (type == "SYNR" || type == "SYNW" || type == "SYNRW") continue;
-    at_ = begin;
-    return syntax();
+    const auto more = modifier();
+    if (!more) return fail(more.error());
+    if (!*more) return {};
   }
+}
+
+Status NamedDeclarations::definition() {
+  block_.kind = NamedKind::definition;
+  KADR_TRY(modifiers());
+  const std::string type = name_here();
+  if (!is_type(type)) return syntax();
+  at_ += type.size();
   block_.types.push_back(type);
   skip();
   if (type == "STRING" && peek() == '[') KADR_TRY(indices(ignored_));
   for (;;) {
-    skip();
+    KADR_TRY(modifiers());
     NamedDefinition row;
     const std::size_t begin = at_;
     row.name = take_name();
@@ -115,10 +150,10 @@ Status NamedDeclarations::definition() {
     row.where = span(begin, at_);
     skip();
     if (peek() == '[') KADR_TRY(indices(row.sizes));
-    skip();
+    KADR_TRY(modifiers());
     if (peek() == '=') KADR_TRY(initial_values(row));
+    KADR_TRY(modifiers());
     block_.definitions.push_back(std::move(row));
-    skip();
     if (at_end()) return {};
     if (peek() != ',') return syntax();
     ++at_;
@@ -129,9 +164,20 @@ Status NamedDeclarations::initial_values(NamedDefinition& row) {
   ++at_;
   skip();
   const std::size_t set = at_;
-  if (!row.sizes.empty() && name_here() == "SET") at_ += 3;
+  const std::string function = name_here();
+  const bool is_array = !row.sizes.empty();
+  if (is_array && (function == "SET" || function == "REP")) at_ += function.size();
   skip();
-  if (!row.sizes.empty() && peek() == '(') return arguments(row.initial);
+  if (is_array && peek() == '(') {
+    const std::size_t open = at_;
+    KADR_TRY(arguments(row.initial));
+    row.repeats = function == "REP";
+    if (!row.repeats) return {};
+    if (row.initial.empty() || row.initial.size() > 2) return fail(alarm(AlarmId::expression_syntax, span(open, at_), "REP"));
+    if (row.initial.size() == 2) row.repeated = row.initial[1];
+    row.initial.resize(1);
+    return {};
+  }
   at_ = set;
   NamedExpression value;
   KADR_TRY(expression(value));

@@ -1,5 +1,5 @@
 #pragma once
-// NamedDeclarations: reads DEF, PROC and EXTERN (spec/sinumerik 6.1, 9.2). Base of the reader of blocks with names.
+// NamedDeclarations: reads DEF, DEFINE, PROC and EXTERN (spec/sinumerik 6.1, 9.2). Base of the reader of blocks with names.
 
 #include <string>
 #include <vector>
@@ -20,6 +20,9 @@ class NamedDeclarations : public NamedExpressions {
   Status parameters(bool named);
   /// Reads the sizes of an array parameter, F[2] or F[].
   Status open_indices(std::vector<NamedExpression>& to);
+  Status macro();
+  Result<bool> modifier();
+  Status modifiers();
   Status definition();
   Status initial_values(NamedDefinition& row);
 

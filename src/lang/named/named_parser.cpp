@@ -22,9 +22,14 @@ class BlockParser : public NamedDeclarations {
     skip();
     if (at_end()) return {};
     const std::string first = name_here();
-    if (first == "DEF" || first == "PROC" || first == "EXTERN") return declaration(first);
+    if (first == "DEF" || first == "DEFINE" || first == "PROC" || first == "EXTERN") return declaration(first);
+    // REDEF changes who may read and write global data (spec/sinumerik 6.1); SETINT waits for an input of the machine (8.4)
+    if (first == "REDEF" || first == "SETINT") {
+      block_.kind = NamedKind::passed_over;
+      return {};
+    }
     // Synchronised actions have a syntax of their own (spec/sinumerik 8.4).
-    for (const std::string_view refused : {"REDEF", "DEFINE", "WHEN", "WHENEVER", "FROM", "EVERY", "DO", "ID", "IDS"})
+    for (const std::string_view refused : {"WHEN", "WHENEVER", "FROM", "EVERY", "DO", "ID", "IDS"})
       if (first == refused) return fail(alarm(AlarmId::not_available, span(at_, at_ + refused.size()), refused));
     while (!at_end()) KADR_TRY(item());
     return {};

@@ -15,8 +15,8 @@ inline const CornerData* contour_of(const Motion& m) { return m.detail && m.deta
 inline bool is_over_determined(const CornerData* c) {
   return c != nullptr && (c->on == SupportingCurve::line || c->on == SupportingCurve::circle);
 }
-/// True if the motion ends with a chamfer or rounding.
-inline bool is_shaped(const CornerData* c) { return c != nullptr && (c->chamfer > 0 || c->rounding > 0); }
+/// True if the motion ends with a chamfer or rounding. A chamfer below 0 states the length of the chamfer itself, not of its legs.
+inline bool is_shaped(const CornerData* c) { return c != nullptr && (c->chamfer != 0 || c->rounding > 0); }
 /// True if the program states only the direction of the motion and not its end.
 inline bool has_only_direction(const CornerData* c) { return c != nullptr && c->on == SupportingCurve::ray; }
 

@@ -166,6 +166,13 @@ std::optional<ContourElement> CornerResolver::element_from(Vec2 corner, const Mo
   return length(direction) > tol::same_point ? std::optional(ContourElement::line(corner, corner + direction)) : std::nullopt;
 }
 
+/// Returns the leg of a chamfer: as stated, or so long that the chamfer itself has the stated length (spec/sinumerik 12.4).
+double CornerResolver::chamfer_leg(double chamfer, Vec2 before, Vec2 after) {
+  if (chamfer >= 0) return chamfer;
+  const double half = std::sqrt(std::max(0.0, (1 + dot(before, after)) / 2));  // sine of half the angle between the two paths
+  return -chamfer / (2 * half);
+}
+
 /// Returns the chamfer or rounding of the stored motion at its corner.
 std::optional<CornerElement> CornerResolver::element_at(Vec2 corner, const ContourElement& second, End end) {
   const CornerData& own = *contour_of(held());
@@ -179,7 +186,8 @@ std::optional<CornerElement> CornerResolver::element_at(Vec2 corner, const Conto
   if (own.rounding > 0 && meet_smoothly(*first, second)) return nothing;
   const double there = second.is_arc ? 1 : std::numeric_limits<double>::infinity();
   const CornerRoom room{whole_travel(*first), end == End::open ? there : whole_travel(second)};
-  const auto inserted = own.rounding > 0 ? rounding(*first, second, own.rounding, room) : chamfer(*first, second, own.chamfer);
+  const auto inserted = own.rounding > 0 ? rounding(*first, second, own.rounding, room)
+                                         : chamfer(*first, second, chamfer_leg(own.chamfer, first->end, second.start));
   if (!inserted || !(inserted->second_travel <= room.second + slack(second)))
     return failed(AlarmId::corner_too_large, now_.held->action.origin);
   return inserted;

@@ -74,6 +74,7 @@ class CornerResolver {
   std::optional<Start> join(const Action& action, End end);
   std::optional<ContourElement> element_from(Vec2 corner, const Motion& m, End end) const;
   std::optional<ContourElement> held_element(Vec2 end) const;
+  static double chamfer_leg(double chamfer, Vec2 before, Vec2 after);
   std::optional<CornerElement> element_at(Vec2 corner, const ContourElement& second, End end);
   void let_go(Vec2 corner, const CornerElement& inserted, Certainty certainty);
   Action shaped_like(const Action& before, const CornerElement& inserted) const;

@@ -12,6 +12,7 @@
 #include "config/control/control_file.h"
 #include "out/text/explain/asked_code.h"
 #include "out/text/explain/cycle_text.h"
+#include "out/text/explain/name_text.h"
 #include "out/text/explain/parameter_text.h"
 #include "out/text/explain/variable_text.h"
 #include "out/text/explain/word_text.h"
@@ -184,6 +185,7 @@ std::optional<std::string> explain_words(const ControlDef& def, const AlarmTexts
   };
   for (const CodeRow& row : def.codes) offer(row.code, row.text.en, row.text.ru);
   for (const CycleRow& row : def.cycles) offer(row.name, row.text.en, row.text.ru);
+  for (const NameRow& row : named_rows(def)) offer(row.name, row.text.en, row.text.ru);
   for (const AddressRow& row : def.addresses)
     if (row.function != Function::count) offer(address_written(row.letter), row.text.en, row.text.ru);
   for (std::size_t i = 0; i < static_cast<std::size_t>(AlarmId::count); ++i) {
@@ -206,6 +208,7 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   }
   if (const auto alarms = prefixed_alarms(def, texts, what, lang)) return alarms;
   if (what[0] == '#') return explain_variable(def, what, lang);
+  if (auto name = explain_name(def, what, lang)) return name;
   const bool comma = code.size() == 2 && code[0] == ',' && comma_address(code[1]) != 0;
   if (comma || (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z')) {
     const AddressRow& row = def.address(comma ? comma_address(code[1]) : code[0]);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "out/text/explain/code_page.h"
+#include "out/text/explain/name_text.h"
 #include "out/text/explain/variable_text.h"
 #include "texts/explain_control.h"
 
@@ -135,6 +136,7 @@ std::string control_page(const ControlDef& def, const AlarmTexts& texts) {
   code_rows(def, 'G', page);
   code_rows(def, 'M', page);
   cycle_rows(def, page);
+  name_rows(def, page);
   variable_rows(def, page);
   parameter_rows(def, page);
   alarm_rows(def, texts, page);

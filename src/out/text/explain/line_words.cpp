@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include "lang/block/lexer.h"
 #include "out/text/explain/code_page.h"
+#include "out/text/explain/name_text.h"
 #include "out/text/explain/variable_text.h"
 #include "out/text/explain/word_text.h"
 #include "out/text/in_language.h"
@@ -47,6 +49,8 @@ class LineWords {
     if (block.has_number)
       add(block.number_where, std::string(block.main_block ? ":" : "N"), plain_text(texts::explain_words::block_number, lang_), {});
     for (std::uint32_t i = 0; i < block.word_count; ++i) take(block.words[i]);
+    if (block.statement.kind == StatementKind::named)
+      each_part(def_, line_, block.statement.text, [this](const StatementPart& part) { take(part); });
     take_variables(begin, block.where.end > begin ? block.where.end : line_.size());
   }
 
@@ -67,6 +71,20 @@ class LineWords {
         of != nullptr ? fmt::format("{}: {}", of->code, meaning_of(def_, *of, letter, lang_)) : in_language(address.text, lang_);
     const std::string name = address_written(letter);
     add(word.where, name, title, explained(name));
+  }
+
+  /// A part of a statement with names (spec/sinumerik 2, 3).
+  void take(const StatementPart& part) {
+    if (part.parameter != nullptr)
+      return add(part.where, part.code, fmt::format("{}: {}: {}", part.name->name, part.code, in_language(part.parameter->text, lang_)),
+                 {});
+    if (part.name != nullptr) return add(part.where, part.code, in_language(part.name->text, lang_), explained(part.code));
+    const bool is_code = part.code.size() > 1;
+    const std::int32_t row = is_code && part.code.size() < 6 ? def_.row_of(part.code[0], std::atoi(part.code.c_str() + 1) * 10) : -1;
+    if (row >= 0) return add(part.where, part.code, in_language(def_.codes[std::size_t(row)].text, lang_), explained(part.code));
+    if (is_code || part.code[0] < 'A' || part.code[0] > 'Z') return;
+    const AddressRow& address = def_.address(part.code[0]);
+    if (address.function != Function::count) add(part.where, part.code, in_language(address.text, lang_), explained(part.code));
   }
 
   /// Returns the code of the block to which the word with this letter belongs; nullptr if there is none. The description of the code
