@@ -56,7 +56,8 @@ GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"wor
                                                                              "expression"}
 GRAMMAR_KEYS |= {"macro", "formal_parameter", "parameters_in", "label", "section", "most_codes"}
 TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "expressions", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
-            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess", "encoding", "convert", "systems"}
+            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess", "encoding", "convert", "systems",
+            "names", "cycle_parameters"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "point", "format", "phase", "second", "many"}
 CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "in_part", "told",
@@ -150,6 +151,7 @@ class Control:
             self.check_codes(section, letter)
         self.check_groups()
         self.check_cycles()
+        self.check_named()
         self.check_variables()
         self.check_own_alarms()
 
@@ -296,6 +298,22 @@ class Control:
                 check(code is not None and code.get("group") == name, f"{where}: initial {row['initial']} is not of the group")
         for code in self.t.get("defaults", {}).get("end", []):
             check(code in self.codes, self.at("defaults end:", code, "is no code"))
+
+    def check_named(self):
+        """Statements, words and cycles of blocks with names: each parameter of a cycle has a meaning, and each meaning a parameter."""
+        meanings, used = self.t.get("cycle_parameters", {}), set()
+        for name, row in self.t.get("names", {}).items():
+            where = self.at("names", name)
+            check_keys(row, {"en", "ru", "manual", "parameters", "works"}, where)
+            check_text(row, where)
+            for parameter in row.get("parameters", "").split():
+                key = f"{name}.{parameter}" if f"{name}.{parameter}" in meanings else parameter
+                check(key in meanings, f"{where}: no meaning of {parameter}")
+                used.add(key)
+        for name, row in meanings.items():
+            check_keys(row, {"en", "ru"}, self.at("cycle_parameters", name))
+            check(row.get("en") and row.get("ru"), f"{self.at('cycle_parameters', name)}: a text is missing")
+            check(name in used, f"{self.at('cycle_parameters', name)}: no cycle has it")
 
     def check_cycles(self):
         called = {name for name, row in self.codes.items() if row.get("does") == "cycle"}

@@ -67,7 +67,7 @@ Status BlockMaker::seconds_word(char letter, double seconds) {
 }
 
 Status BlockMaker::dwell_word(const CodeRow& row, double seconds) {
-  for (const char letter : {'P', 'E', 'X'})
+  for (const char letter : {'P', 'E', 'X', 'F'})
     if ((row.takes >> (letter - 'A') & 1U) != 0) return seconds_word(letter, seconds);
   return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(row.function).name));
 }
@@ -103,8 +103,11 @@ void BlockMaker::comment(std::string_view what) {
   for (const char c : what)
     if (c != '(' && c != ')' && c != '\n' && c != '\r' && def_.grammar.comment_forbidden.find(c) == std::string::npos) clean += c;
   if (clean.find_first_not_of(' ') == std::string::npos) return;
+  // In a block with names, ( and ) enclose arguments, so a comment goes from ; to the end of the line (spec/sinumerik 2).
+  const bool by_semicolon = def_.grammar.named_blocks;
   if (!comment_.empty()) comment_ += ' ';
-  comment_ += '(' + clean + ')';
+  else if (by_semicolon) comment_ = "; ";
+  comment_ += by_semicolon ? clean : '(' + clean + ')';
 }
 
 Status BlockMaker::number(std::string& line) {

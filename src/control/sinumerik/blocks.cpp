@@ -35,7 +35,7 @@ Result<bool> Sinumerik::takes_block(Interpreter& m) {
   kept_ = circle_by_name_ = false;
   previous_ = m.position.work;
   if (!needs_names(m)) {
-    level().executing = true;
+    if (m.block->word_count > 0) level().executing = true;  // a line with a comment alone may stand before PROC and DEF
     if ((m.block->letters & missing_axes) != 0)
       for (std::uint32_t i = 0; i < m.block->word_count; ++i)
         if (const Word& w = m.block->words[i]; (missing_axes & letter_bit(w.address)) != 0)

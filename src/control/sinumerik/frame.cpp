@@ -7,7 +7,7 @@
 namespace kadr::sinumerik {
 namespace {
 
-constexpr double same = 1e-12;
+constexpr double same = 1e-12;  // relative error of a product of rotations
 
 bool near(double a, double b) { return std::fabs(a - b) <= same * std::max(1.0, std::max(std::fabs(a), std::fabs(b))); }
 
@@ -123,8 +123,9 @@ std::optional<Transform> transform_of(const Frame& frame) {
     const double other = -sin * m[first][second] + cos * m[second][second];
     if (!near(m[first][second], -sin * other) || !near(m[second][second], cos * other)) return std::nullopt;
     all.scale[k] = m[k][k];
-    all.scale[first] = size;
-    all.scale[second] = other;
+    // A rotation without a scale has the factor 1 exactly, and equal factors are equal, so that an arc stays an arc.
+    all.scale[first] = near(size, 1) ? 1 : size;
+    all.scale[second] = near(std::fabs(other), size) ? std::copysign(all.scale[first], other) : other;
     all.rotation = angle_deg({m[first][first], m[second][first]});
     all.rotation_center = {};
     all.first = static_cast<std::uint8_t>(first);
