@@ -8,7 +8,7 @@
 
 namespace kadr::sinumerik {
 
-/// Reads the files of global data and of macros that stand beside the program: those of the machine's builder and user, and of the user's
+/// Reads the files of global data and of macros that are near the program: those of the machine's builder and user, and of the user's
 /// cycles. INFERRED: a block of such a file that Kadr cannot read defines nothing; a program that uses the name gets an alarm.
 void Sinumerik::load_globals(BlockContext& m) {
   if (std::exchange(memory.globals_loaded, true)) return;
