@@ -1,5 +1,5 @@
-// Executes words other than those of the path: further spindles, positioning axes, DIAMON, G58, G75 (spec/sinumerik 3.1, 5, 10 to 12). Used by
-// control/sinumerik.
+// Executes words other than those of the path: further spindles, positioning axes, DIAMON, G58, G75 (spec/sinumerik 3.1, 5, 10 to 12). Used
+// by control/sinumerik.
 
 #include <cmath>
 

@@ -117,30 +117,7 @@ class ArcMotion {
     return fault;
   }
 
-  void emit(const PlaneArc& arc, const Axes& end, AxisMask named) {
-    Axes middle = m_.position.programmed;
-    middle[axes_.first] = arc.center.x;
-    middle[axes_.second] = arc.center.y;
-    Axes work = end;
-    bool reversed = false;
-    if (!m_.transform.identity) {
-      reversed = m_.transform.reverses(axes_);
-      work = m_.transform.to_work(end);
-      middle = m_.transform.to_work(middle);
-    }
-    named |= AxisMask{1} << axes_.first | AxisMask{1} << axes_.second;
-    m_.move_to(end, work, named);
-    const bool cw = (turn_ == Turn::cw) != reversed;
-    Motion& motion = m_.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named);
-    m_.set_feed(motion);
-    motion.center = {middle[axes_.first], middle[axes_.second]};
-    motion.turns = arc.turns;
-    note_arc_end(m_, motion);
-    const Vec2 arm = in_plane(end, axes_) - arc.center;
-    own_.memory.direction = turn_ == Turn::ccw ? Vec2{-arm.y, arm.x} : Vec2{arm.y, -arm.x};
-    own_.memory.direction_plane = axes_;
-    own_.memory.has_direction = true;
-  }
+  void emit(const PlaneArc& arc, const Axes& end, AxisMask named) { own_.emit_arc(m_, turn_, arc, end, named); }
 
   Emitter& m_;
   Sinumerik& own_;
@@ -151,6 +128,33 @@ class ArcMotion {
 };
 
 }  // namespace
+
+/// Emits an arc in the plane in force, which the programmable frame neither distorts nor turns out of it. `end` has programmed coordinates.
+void Sinumerik::emit_arc(Emitter& m, Turn turn, const PlaneArc& arc, const Axes& end, AxisMask named) {
+  const PlaneAxes axes = m.modal.axes;
+  Axes middle = m.position.programmed;
+  middle[axes.first] = arc.center.x;
+  middle[axes.second] = arc.center.y;
+  Axes work = end;
+  bool reversed = false;
+  if (!m.transform.identity) {
+    reversed = m.transform.reverses(axes);
+    work = m.transform.to_work(end);
+    middle = m.transform.to_work(middle);
+  }
+  named |= AxisMask{1} << axes.first | AxisMask{1} << axes.second;
+  m.move_to(end, work, named);
+  const bool cw = (turn == Turn::cw) != reversed;
+  Motion& motion = m.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named);
+  m.set_feed(motion);
+  motion.center = {middle[axes.first], middle[axes.second]};
+  motion.turns = arc.turns;
+  note_arc_end(m, motion);
+  const Vec2 arm = in_plane(end, axes) - arc.center;
+  memory.direction = turn == Turn::ccw ? Vec2{-arm.y, arm.x} : Vec2{arm.y, -arm.x};
+  memory.direction_plane = axes;
+  memory.has_direction = true;
+}
 
 /// Computes the end point: each word by G90 or G91 or by its own AC, IC (spec/sinumerik 3.3); AP, RP in the plane (12.3).
 Status Sinumerik::target(const BlockContext& m, Axes& to, AxisMask& named) const {

@@ -140,6 +140,10 @@ class Sinumerik final : public Dialect {
   /// Reads the definition files (global data, macros) once, before the first block that may use them.
   void load_globals(BlockContext& m);
   Status begin_pass(Interpreter& m);
+  void emit_arc(Emitter& m, Turn turn, const PlaneArc& arc, const Axes& end, AxisMask named);
+  // milling_cycles.cpp
+  static bool is_milling_cycle(std::string_view name);
+  Status start_milling(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
   // cycles.cpp: works out the steps; cycle_calls.cpp
   Status start_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
   static bool is_cycle(std::string_view name);

@@ -1,0 +1,261 @@
+// POCKET3, POCKET4 and CYCLE71 (spec/sinumerik 14.5). The manual does not document the path within a pocket: start level, depths, walls and
+// end point are those of the cycle, the path between is Kadr's own clearing. Used by control/sinumerik.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/sinumerik/sinumerik.h"
+
+namespace kadr::sinumerik {
+namespace {
+
+struct MillStep {
+  enum class Kind : std::uint8_t { rapid, feed, arc_cw, arc_ccw };
+  Kind kind = Kind::rapid;
+  Vec2 to;
+  double height = 0;
+  double feed = 0;   // mm/min; 0: the feed in force
+  Vec2 centre;       // arcs
+  double turns = 0;  // arcs
+};
+
+class MillSteps final : public SteppedCycleValue<MillSteps> {
+ public:
+  explicit MillSteps(std::vector<MillStep> steps) : steps_(std::move(steps)) {}
+
+  Result<bool> next(Emitter& m) override {
+    constexpr std::size_t at_a_time = 8;
+    for (std::size_t i = 0; i < at_a_time && at_ < steps_.size(); ++i) KADR_TRY(execute(m, steps_[at_++]));
+    return at_ < steps_.size();
+  }
+
+ private:
+  static Status execute(Emitter& m, const MillStep& step) {
+    const PlaneAxes plane = m.modal.axes;
+    Axes to = m.position.programmed;
+    AxisMask named = 0;
+    const auto set = [&](std::size_t axis, double value) {
+      if (std::fabs(to[axis] - value) > tol::same_point) named |= AxisMask{1} << axis;
+      to[axis] = value;
+    };
+    set(plane.first, step.to.x);
+    set(plane.second, step.to.y);
+    set(plane.normal, step.height);
+    const bool is_arc_step = step.kind == MillStep::Kind::arc_cw || step.kind == MillStep::Kind::arc_ccw;
+    if (named == 0 && !is_arc_step) return {};
+    if (step.kind == MillStep::Kind::rapid) return m.straight(MotionKind::rapid, to, named);
+    const double feed = m.modal.feed;
+    const FeedMode mode = m.modal.feed_mode;
+    if (step.feed > 0) m.modal.feed = step.feed, m.modal.feed_mode = FeedMode::per_minute;
+    Status moved;
+    if (is_arc_step) {
+      const Turn turn = step.kind == MillStep::Kind::arc_cw ? Turn::cw : Turn::ccw;
+      sinumerik_of(m).emit_arc(m, turn, PlaneArc{step.centre, step.turns}, to, named);
+    } else {
+      moved = m.straight(MotionKind::feed, to, named);
+    }
+    m.modal.feed = feed;
+    m.modal.feed_mode = mode;
+    return moved;
+  }
+
+  std::vector<MillStep> steps_;
+  std::size_t at_ = 0;
+};
+
+constexpr std::size_t most_steps = 200'000;
+
+/// Works out the steps of one call.
+class MillMaker {
+ public:
+  MillMaker(Interpreter& m, const std::vector<Value>& arguments, Span where) : m_(m), arguments_(arguments), where_(where) {}
+
+  std::vector<MillStep> steps;
+
+  Status run(const std::string& name) {
+    const PlaneAxes plane = m_.modal.axes;
+    if (m_.transform.leaves(plane) || m_.transform.distorts(plane))
+      return fail(alarm(AlarmId::not_together, where_, "SCALE", std::string_view(name)));
+    radius_ = m_.radius_in_force();
+    if (!(radius_ > 0)) return fail(alarm(AlarmId::pocket_tool_missing, where_, double(m_.modal.tool)));
+    retract_ = number(0), reference_ = number(1);
+    level_ = reference_ + std::fabs(number(2));
+    if (!(retract_ >= reference_) || !(number(3) < reference_)) return fail(alarm(AlarmId::cycle_reference_plane, where_));
+    const Axes& at = m_.position.programmed;
+    const Vec2 here{at[plane.first], at[plane.second]};
+    if (at[plane.normal] < retract_) straight(MillStep::Kind::rapid, here, retract_);
+    if (name == "CYCLE71") return face();
+    return pocket(name == "POCKET3");
+  }
+
+ private:
+  bool given(std::size_t i) const { return i < arguments_.size() && !arguments_[i].omitted; }
+  double number(std::size_t i) const { return given(i) ? arguments_[i].number : 0; }
+
+  void straight(MillStep::Kind kind, Vec2 to, double height, double feed = 0) { steps.push_back({kind, to, height, feed, {}, 0}); }
+  void arc(bool cw, Vec2 to, Vec2 centre, double turns) {
+    steps.push_back({cw ? MillStep::Kind::arc_cw : MillStep::Kind::arc_ccw, to, height_, feed_, centre, turns});
+  }
+
+  /// The depths of equal steps, none greater than MID (spec 14.5).
+  Status depths(double mid, double bottom, std::vector<double>& all) const {
+    const double whole = reference_ - bottom;
+    const double count = mid > 0 ? std::max(1.0, std::ceil(whole / mid - 1e-9)) : 1;
+    if (count > 10'000) return fail(alarm(AlarmId::cycle_endless, where_));
+    for (double i = 1; i <= count; ++i) all.push_back(reference_ - whole * i / count);
+    return {};
+  }
+
+  /// POCKET3, POCKET4: rings from the middle outwards, at each depth.
+  Status pocket(bool rectangle) {
+    const std::size_t base = rectangle ? 7 : 5;  // PA, PO
+    const std::size_t mid = rectangle ? 10 : 7;
+    const double fal = std::fabs(number(mid + 1)), fald = std::fabs(number(mid + 2));
+    feed_ = number(mid + 3);
+    const double down = number(mid + 4);
+    const int kind = static_cast<int>(std::lround(given(mid + 6) ? number(mid + 6) : 1));
+    const bool finishes = kind % 10 == 2;
+    if (kind % 10 != 1 && kind % 10 != 2) return fail(alarm(AlarmId::not_available, where_, "_VARI"));
+    if (kind / 10 > 2) return fail(alarm(AlarmId::not_available, where_, "_VARI"));
+    if (!(feed_ > 0) || !(down > 0)) KADR_TRY(m_.feed_known(where_));
+    const double wall = finishes ? 0 : fal, bottom = number(3) + (finishes ? 0 : fald);
+    const double half_length = rectangle ? number(4) / 2 : number(4), half_width = rectangle ? number(5) / 2 : number(4);
+    const double corner = rectangle ? number(6) : number(4);
+    const double a = half_length - wall - radius_, b = half_width - wall - radius_;
+    const bool tight = rectangle && corner > 0 && corner < radius_ - tol::same_point;
+    if (a < -tol::same_point || b < -tol::same_point || tight)
+      return fail(alarm(AlarmId::pocket_tool_large, where_, 2 * radius_, 2 * half_length, 2 * half_width));
+    const double wanted = number(mid + 7) > 0 ? number(mid + 7) : 1.6 * radius_;
+    if (wanted > 2 * radius_) return fail(alarm(AlarmId::value_out_of_range, where_, "_MIDA", wanted));
+    width_ = std::min(wanted, 1.7 * radius_);  // beyond it, corners of the rings would leave something
+    centre_ = {number(base), number(base + 1)};
+    turn_ = sincos_deg(rectangle ? number(9) : 0);
+    const int direction = static_cast<int>(std::lround(number(mid + 5)));
+    const bool climb_is_ccw = m_.modal.spindle != SpindleDir::ccw;
+    cw_ = direction == 2 || (direction == 1 && climb_is_ccw) || (direction == 0 && !climb_is_ccw);
+    std::vector<double> all;
+    KADR_TRY(depths(finishes ? 0 : number(mid), bottom, all));
+    straight(MillStep::Kind::rapid, centre_, retract_);
+    straight(MillStep::Kind::rapid, centre_, level_);
+    const std::size_t helix = rectangle ? 21 : 17;  // RAD1, DP1
+    for (const double height : all) {
+      plunge(height, down, kind / 10 == 2 ? std::min(number(helix), std::min(a, b)) : 0, number(helix + 1));
+      rings(std::max(a, 0.0), std::max(b, 0.0), std::max(0.0, std::min(corner - wall - radius_, std::min(a, b))));
+      if (steps.size() > most_steps) return fail(alarm(AlarmId::cycle_endless, where_));
+    }
+    straight(MillStep::Kind::rapid, centre_, retract_);
+    return {};
+  }
+
+  /// Goes down in the middle: straight, or on a helix.
+  void plunge(double height, double feed, double helix_radius, double lead) {
+    const double above = steps.empty() ? level_ : steps.back().height;
+    height_ = height;
+    if (!(helix_radius > tol::same_point)) return straight(MillStep::Kind::feed, centre_, height, feed);
+    const Vec2 start = centre_ + Vec2{helix_radius, 0};
+    straight(MillStep::Kind::feed, start, above, feed_);
+    const double turns = lead > 0 ? std::max(1.0, std::ceil((above - height) / lead - 1e-9)) : 1;
+    steps.push_back({cw_ ? MillStep::Kind::arc_cw : MillStep::Kind::arc_ccw, start, height, feed, centre_, turns});
+    arc(cw_, start, centre_, 1);
+    straight(MillStep::Kind::feed, centre_, height, feed_);
+  }
+
+  Vec2 placed(double x, double y) const { return centre_ + Vec2{x * turn_.cos - y * turn_.sin, x * turn_.sin + y * turn_.cos}; }
+
+  void rings(double a, double b, double corner) {
+    const double least = std::min(a, b);
+    const auto count = static_cast<int>(std::ceil(least / width_ - 1e-9));
+    for (int i = 0; i <= count; ++i) {
+      const double inset = count == 0 ? 0 : least - least * i / count;
+      ring(a - inset, b - inset, std::max(0.0, corner - inset));
+    }
+    straight(MillStep::Kind::feed, centre_, height_, feed_);
+  }
+
+  /// One ring: a circle if its corners meet, otherwise lines with corners, from the middle of the side towards -Y.
+  void ring(double a, double b, double corner) {
+    const auto feed_to = [&](double x, double y) { straight(MillStep::Kind::feed, placed(x, y), height_, feed_); };
+    if (a <= tol::same_point && b <= tol::same_point) return;
+    if (std::fabs(a - b) <= tol::same_point && std::fabs(corner - a) <= tol::same_point) {
+      feed_to(a, 0);
+      return arc(cw_, placed(a, 0), centre_, 1);
+    }
+    const double side = cw_ ? -1 : 1;  // counter-clockwise towards +X on the lower side
+    const double c = corner;
+    feed_to(0, -b);
+    const Vec2 around[] = {{1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+    for (int i = 0; i < 4; ++i) {
+      const Vec2 at{around[i].x * a * side, around[i].y * b};  // corner of the ring, mirrored for clockwise
+      const Vec2 in = i % 2 == 0 ? Vec2{around[i].x * side * c, 0} : Vec2{0, around[i].y * c};
+      const Vec2 out = i % 2 == 0 ? Vec2{0, around[i].y * c} : Vec2{around[i].x * side * c, 0};
+      feed_to(at.x - in.x, at.y - in.y);
+      if (c > tol::same_point) arc(cw_, placed(at.x - out.x, at.y - out.y), placed(at.x - in.x - out.x, at.y - in.y - out.y), 0.25);
+    }
+    feed_to(0, -b);
+  }
+
+  /// CYCLE71: lanes that overrun the face by the tool's radius and FDP.
+  Status face() {
+    const double length = number(6), width = number(7), bottom = number(3) + std::fabs(number(12));
+    if (length == 0 || width == 0) return fail(alarm(AlarmId::value_out_of_range, where_, "_LENG, _WID", 0.0));
+    const int kind = static_cast<int>(std::lround(given(14) ? number(14) : 31));
+    const int way = kind / 10;
+    if (way < 1 || way > 4) return fail(alarm(AlarmId::not_available, where_, "_VARI"));
+    feed_ = number(13);
+    if (!(feed_ > 0)) KADR_TRY(m_.feed_known(where_));
+    centre_ = {number(4), number(5)};
+    turn_ = sincos_deg(number(8));
+    const bool along_first = way == 1 || way == 3, to_and_fro = way >= 3;
+    const double along = along_first ? length : width, across = along_first ? width : length;
+    const double step = number(10) > 0 ? number(10) : 1.6 * radius_;
+    if (step > 2 * radius_) return fail(alarm(AlarmId::value_out_of_range, where_, "_MIDA", step));
+    const double lanes = std::ceil(std::fabs(across) / step - 1e-9);
+    if (!(lanes < 10'000)) return fail(alarm(AlarmId::cycle_endless, where_));
+    const double over = (radius_ + std::fabs(number(11))) * (along < 0 ? -1 : 1);
+    std::vector<double> all;
+    KADR_TRY(depths(kind % 10 == 2 ? 0 : number(9), kind % 10 == 2 ? number(3) : bottom, all));
+    const auto place = [&](double u, double v) { return along_first ? placed(u, v) : placed(v, u); };
+    for (const double height : all)
+      for (double lane = 0; lane < lanes; ++lane) {
+        const double v = across * (lane + 0.5) / lanes;
+        const bool back = to_and_fro && std::fmod(lane, 2) != 0;
+        const Vec2 from = place(back ? along + over : -over, v), to = place(back ? -over : along + over, v);
+        if (lane == 0 || !to_and_fro) {
+          const double high = lane == 0 ? retract_ : level_;
+          if (!steps.empty()) straight(MillStep::Kind::rapid, steps.back().to, high);
+          straight(MillStep::Kind::rapid, from, high);
+          straight(MillStep::Kind::rapid, from, level_);
+        }
+        straight(MillStep::Kind::feed, from, height, feed_);
+        straight(MillStep::Kind::feed, to, height, feed_);
+        if (steps.size() > most_steps) return fail(alarm(AlarmId::cycle_endless, where_));
+      }
+    straight(MillStep::Kind::rapid, steps.back().to, retract_);
+    return {};
+  }
+
+  Interpreter& m_;
+  const std::vector<Value>& arguments_;
+  Span where_;
+  double radius_ = 0, retract_ = 0, reference_ = 0, level_ = 0, feed_ = 0, width_ = 0, height_ = 0;
+  Vec2 centre_;
+  SinCos turn_{};
+  bool cw_ = false;
+};
+
+}  // namespace
+
+bool Sinumerik::is_milling_cycle(std::string_view name) { return name == "POCKET3" || name == "POCKET4" || name == "CYCLE71"; }
+
+Status Sinumerik::start_milling(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where) {
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, where, std::string_view(name)));
+  for (const Value& each : arguments)
+    if (!each.is_number()) return fail(alarm(AlarmId::operand_type, where, std::string_view(name)));
+  MillMaker maker(m, arguments, where);
+  KADR_TRY(maker.run(name));
+  m.running = std::make_unique<MillSteps>(std::move(maker.steps));
+  return {};
+}
+
+}  // namespace kadr::sinumerik
