@@ -1,24 +1,5 @@
 // Assembles the page: one app, its panes, and their connections.
-import "uplot/dist/uPlot.min.css";
-import "./style/base.css";
-import "./style/dialogs.css";
-import "./style/panes.css";
-import "./style/scene_pane.css";
-import "./style/state.css";
-import "./style/files.css";
-import "./style/start.css";
-import "./style/lists.css";
-import "./style/cut.css";
-import "./style/setup.css";
-import "./style/timeline.css";
-import "./style/operator.css";
-import "./style/workshop.css";
-import "./style/operator_screen.css";
-import "./style/view.css";
-import "./style/code.css";
-import "./style/making.css";
-import "./style/edit.css";
-import "./style/print.css";
+import "./style/page";
 import { App } from "./model/app";
 import { Live } from "./model/live";
 import { is_of_cut } from "./model/listed";

@@ -11,7 +11,7 @@ import { listed, listed_of_cut, of_shown_text } from "../src/model/listed";
 import { grouped_problems } from "../src/ui/problems_panel";
 import type { Finding, Problem } from "../src/protocol/types";
 // @ts-expect-error plain JavaScript
-import { path_frame } from "./mock-server.mjs";
+import { path_frame } from "./mock-program.mjs";
 
 const path_of = (frame: ArrayBuffer): PathFrame => read_frame(frame) as PathFrame;
 

@@ -20,7 +20,7 @@ import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeome
 import { jump } from "../protocol/frames";
 import type { Theme } from "./colours";
 import type { Point, ToolShape } from "./types";
-import type { Drawn } from "./path_view";
+import type { Drawn } from "./built_lines";
 import { insert_mesh } from "./turned_view";
 
 const around = 64,

@@ -4,49 +4,31 @@ import {
   Box3,
   BufferAttribute,
   BufferGeometry,
-  Frustum,
   Group,
   LineBasicMaterial,
   LineDashedMaterial,
   LineSegments,
-  Matrix4,
   Vector3,
   type Material,
 } from "three";
 import type { OfPathFrame } from "../protocol/frames";
-import { Bundle, most_pieces, type Part } from "./bundle";
+import { BuiltLines, hide_done, not_built, type Drawn, type Wanted } from "./built_lines";
+import { Bundle, most_pieces } from "./bundle";
 import { is_ramp, light, no_ranges, ranges_of, widen_ranges, type Ranges, type Theme } from "./colours";
 import type { Eye } from "./camera";
 import { add_rows, piece_of, type Piece } from "./frame";
+import { InView } from "./in_view";
 import { every_of, level_of, segments_at } from "./level";
-import { first_from, place_at, type Place } from "./place";
-import { no_segments, piece_shown, runs, segments_of, type Segments } from "./segments";
-import type { ColourBy, Point, SceneFilter } from "./types";
+import { place_at, type Place } from "./place";
+import { piece_shown } from "./segments";
+import { usual_filter, type ColourBy, type Point, type SceneFilter } from "./types";
 
-/// `built`: the look and level that the lines were built for.
-interface Made {
-  built: string;
-  segments: Segments;
-}
-export interface Drawn extends Part {
-  piece: Piece;
-  ordinal: number;
-  box: Box3;
-  now: Made | null;
-  spare: Made | null;
-}
 export interface Refreshed {
   drawn: number;
   all: number;
   finished: boolean;
   cost: number;
 } // `cost`: in segments, as a budget counts
-
-const most_held = 2_000_000; // segments that are built, in view or not
-const view = new Frustum(),
-  projection = new Matrix4(),
-  screen = new Box3(),
-  corner = new Vector3();
 
 export class PathView {
   readonly group = new Group();
@@ -60,7 +42,8 @@ export class PathView {
   private bundles: Bundle<Drawn>[] = [];
   private open = new Map<string, Bundle<Drawn>>(); // the bundle of each path and channel that accepts more pieces
   private stamp = 0; // counts changes that affect the lines of every piece
-  private held = 0;
+  private lines = new BuiltLines();
+  private in_view = new InView();
   private whole = new Box3(); // of what the filter shows; machine coordinates
   private cutting = new Box3();
   private material = new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false });
@@ -73,17 +56,7 @@ export class PathView {
   });
   private by: ColourBy = "kind";
   private theme: Theme = light;
-  private filter: SceneFilter = {
-    rapids: true,
-    tools: null,
-    depth: null,
-    lines: null,
-    hideDone: false,
-    programmed: false,
-    other: true,
-    bounds: true,
-    turned: true,
-  };
+  private filter = usual_filter;
 
   constructor() {
     this.group.matrixAutoUpdate = false;
@@ -105,16 +78,7 @@ export class PathView {
       return last !== undefined && add_rows(last, frame);
     }
     const piece = piece_of(frame);
-    const d: Drawn = {
-      piece,
-      ordinal: this.drawn.length,
-      box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)),
-      segments: no_segments,
-      from: 0,
-      visible: false,
-      now: null,
-      spare: null,
-    };
+    const d = not_built(piece, this.drawn.length);
     this.drawn.push(d);
     this.bundle_for(piece).parts.push(d);
     this.last.set(whose, piece);
@@ -143,7 +107,7 @@ export class PathView {
   clear(which?: number): void {
     const goes = (d: Drawn): boolean => which === undefined || (d.piece.which & 1) === which;
     const of_those = (b: Bundle<Drawn>): boolean => goes(b.parts[0]!);
-    for (const d of this.drawn.filter(goes)) this.drop(d);
+    for (const d of this.drawn.filter(goes)) this.lines.drop(d);
     for (const b of this.bundles.filter(of_those)) {
       b.drop();
       this.group.remove(b.lines);
@@ -203,24 +167,13 @@ export class PathView {
       all = segments_at(pieces, 0),
       kept = segments_at(pieces, level);
     const length = Number.isFinite(pixels)
-      ? seen.reduce((sum, d) => sum + d.piece.length * this.part_seen(d.box), 0)
+      ? seen.reduce((sum, d) => sum + d.piece.length * this.in_view.part_of(d.box), 0)
       : 0;
     const full = kept + length / eye.mm_per_pixel / pixels,
       every = every_of(full, budget),
-      wanted = `${this.stamp}:${level}:${every}`;
-    let drawn = 0,
-      finished = true,
-      built = 0;
-    for (const d of seen) {
-      if (d.now?.built !== wanted) {
-        if (built > 0 && performance.now() > deadline) finished = false;
-        else if (this.take_spare(d, wanted) || this.build(d, level, every, wanted)) built++;
-      }
-      d.visible = d.now !== null;
-      drawn += d.segments.ends.length;
-      this.hide_done(d);
-    }
-    if (this.held > most_held) this.drop_unseen();
+      wanted = this.wanted(level, every),
+      finished = this.bring(seen, wanted, deadline);
+    const drawn = seen.reduce((sum, d) => sum + d.segments.ends.length, 0);
     for (const b of this.bundles) b.refresh();
     this.dash(eye);
     return {
@@ -231,79 +184,42 @@ export class PathView {
     };
   }
 
-  /// Returns how much of a box is on the screen; call it after seen().
-  private part_seen(box: Box3): number {
-    screen.makeEmpty();
-    for (let i = 0; i < 8; i++)
-      screen.expandByPoint(
-        corner
-          .set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z)
-          .applyMatrix4(projection),
-      );
-    const along = (least: number, most: number): number =>
-      most - least > 1e-6 ? Math.max(0, Math.min(1, most) - Math.max(-1, least)) / (most - least) : 1;
-    return along(screen.min.x, screen.max.x) * along(screen.min.y, screen.max.y);
+  /// Returns false if the time did not suffice: the old lines are shown for what is missing.
+  private bring(seen: Drawn[], wanted: Wanted, deadline: number): boolean {
+    let finished = true,
+      built = 0;
+    for (const d of seen) {
+      if (!this.lines.has(d, wanted)) {
+        if (built > 0 && performance.now() > deadline) finished = false;
+        else {
+          this.lines.bring(d, wanted);
+          built++;
+        }
+      }
+      d.visible = d.now !== null;
+      hide_done(d, this.filter.hideDone, this.instant);
+    }
+    if (this.lines.too_many) this.drop_unseen();
+    return finished;
+  }
+
+  private wanted(level: number, every: number): Wanted {
+    const { stamp, filter, by, ranges, theme } = this;
+    return { stamp, look: { level, every, filter, by, ranges, theme, zero_z: this.zero[2] } };
   }
 
   private seen(eye: Eye): Drawn[] {
-    projection.multiplyMatrices(eye.camera.projectionMatrix, eye.camera.matrixWorldInverse).multiply(this.group.matrix);
-    view.setFromProjectionMatrix(projection);
+    this.in_view.look(eye, this.group.matrix);
     return this.drawn.filter((d) => {
-      const is_seen = piece_shown(d.piece, this.filter) && view.intersectsBox(d.box);
+      const is_seen = piece_shown(d.piece, this.filter) && this.in_view.sees(d.box);
       if (!is_seen) d.visible = false;
       return is_seen;
     });
   }
 
-  /// Moving and resting alternate: the lines built for the other state are kept and used again.
-  private take_spare(d: Drawn, wanted: string): boolean {
-    if (d.spare?.built !== wanted) return false;
-    [d.now, d.spare] = [d.spare, d.now];
-    d.segments = d.now!.segments;
-    return true;
-  }
-
-  private build(d: Drawn, level: number, every: number, built: string): boolean {
-    const segments = segments_of(d.piece, {
-      level,
-      every,
-      runs_before: d.ordinal * runs,
-      filter: this.filter,
-      by: this.by,
-      ranges: this.ranges,
-      theme: this.theme,
-      zero_z: this.zero[2],
-    });
-    this.forget(d.spare);
-    const stamp = built.slice(0, built.indexOf(":") + 1);
-    d.spare = d.now?.built.startsWith(stamp) ? d.now : (this.forget(d.now), null);
-    d.now = { built, segments };
-    this.held += segments.ends.length;
-    d.segments = segments;
-    return true;
-  }
-
-  private forget(made: Made | null): void {
-    if (made) this.held -= made.segments.ends.length;
-  }
-  private drop(d: Drawn): void {
-    this.forget(d.now);
-    this.forget(d.spare);
-    d.now = d.spare = null;
-    d.segments = no_segments;
-    d.visible = false;
-  }
   private drop_unseen(): void {
-    for (const d of this.drawn) if (!d.visible) this.drop(d);
+    for (const d of this.drawn) if (!d.visible) this.lines.drop(d);
     for (const b of this.bundles) if (!b.lines.visible) b.drop();
-  }
-
-  private hide_done(d: Drawn): void {
-    const { piece: p, segments } = d;
-    d.from =
-      this.filter.hideDone && p.which !== 1
-        ? first_from(segments.ends.length, (i) => p.start + p.times[segments.ends[i]!]!, this.instant)
-        : 0;
   }
 
   /// Dashes keep their length on the screen, in steps, so that they do not drift during zooming.

@@ -5,7 +5,7 @@ import { is_arc, jump, spline } from "../protocol/frames";
 import { arc_at, minus } from "./arc";
 import type { Eye } from "./camera";
 import type { Piece } from "./frame";
-import type { Drawn } from "./path_view";
+import type { Drawn } from "./built_lines";
 import { anchor_of } from "./measure";
 import type { Anchor, Point, SceneVertex } from "./types";
 

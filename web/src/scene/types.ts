@@ -31,6 +31,17 @@ export interface SceneFilter {
   bounds: boolean;
   turned: boolean; // turned: the part as it is on the machine
 }
+export const usual_filter: SceneFilter = {
+  rapids: true,
+  tools: null,
+  depth: null,
+  lines: null,
+  hideDone: false,
+  programmed: false,
+  other: true,
+  bounds: true,
+  turned: true,
+};
 export interface SceneBox {
   name: string;
   kind: "stock" | "extents" | "limits" | "zone";

@@ -1,65 +1,51 @@
 // The 3D view with its tools: views, colours, filters, section, measuring, picture; its messages are in the corners.
-
-import { figure_places } from "../scene/boxes";
-import { dark, is_ramp, light } from "../scene/colours";
-import { Scene, type ColourBy, type Point, type SceneFilter, type SceneVertex, type View } from "../scene/scene";
 import type { App } from "../model/app";
-import { remember, remembered } from "../model/memory";
+import { dark, is_ramp, light } from "../scene/colours";
+import { Scene, usual_filter, type Point, type SceneFilter, type SceneVertex, type View } from "../scene/scene";
 import { on_language, t } from "../texts/texts";
-import { button, fill, h, option } from "./dom";
-import { filter_form } from "./filters";
-
-import { diameter_sign, is_diameter, no_diameters, widest, type Diameters } from "../model/diameters";
-import { length_told, short } from "./figures";
-import { Flags, flags_of } from "./flags";
+import { button, fill, h } from "./dom";
+import { short } from "./figures";
 import { legend } from "./legend";
+import { axes_of, diameters_of, ProgramFlags } from "./program_flags";
+import { SceneBar } from "./scene_bar";
 import { measured_told, motion_told } from "./scene_words";
 import { SectionBar } from "./section_bar";
 import { toast } from "./toast";
 import { ViewCube } from "./view_cube";
 
-const colours: ColourBy[] = ["kind", "tool", "feed", "speed", "slowed", "time", "depth"];
 const worth_telling = 5000; // segments: in a shorter path nothing visible is left out
-const views = ["top", "front", "left", "right", "back", "bottom", "iso", "fit"] as const;
 
 export class ScenePane {
   readonly element = h("section", { class: "pane scene" });
   readonly scene: Scene | null;
-  private bar = h("div", { class: "scene-bar", role: "toolbar" });
+  private bar: SceneBar;
   private section: SectionBar;
   private told = h("div", { class: "scene-told", "aria-live": "polite" });
   private thinned_told = h("div", { class: "scene-thinned" });
   private empty_told = h("div", { class: "scene-empty" });
   private old_told = h("div", { class: "scene-old", "aria-live": "polite" });
   private legend = h("div", { class: "scene-legend" });
-  private flags = new Flags((time) => this.app.seek(time));
+  private flags: ProgramFlags;
   private cube = new ViewCube(
     (v) => this.scene?.view(v),
     (towards) => this.scene?.look_from(towards),
   );
-  private box: [Point, Point] | null = null; // extents, whose figures are at its edges
   private tip = h("div", { class: "scene-tip", hidden: true });
-  private colour = remembered<ColourBy>("colour", "kind");
-  private flat = remembered("orthographic", true);
   private measuring = false;
   private touched: ((place: Point, normal: Point) => void) | null = null;
   private counted: [number, number] = [0, 0]; // drawn segments, and all
-  filter: SceneFilter = {
-    rapids: true,
-    tools: null,
-    depth: null,
-    lines: null,
-    hideDone: false,
-    programmed: false,
-    other: true,
-    bounds: true,
-    turned: true,
-  };
+  private filter = usual_filter;
 
   constructor(
     private app: App,
     picked: (v: SceneVertex) => void,
   ) {
+    this.flags = new ProgramFlags(app);
+    this.bar = new SceneBar(app, () => this.scene, {
+      filter: () => this.filter,
+      set_filter: (f) => this.set_filter(f),
+      coloured: () => this.draw_legend(),
+    });
     this.section = new SectionBar(
       app,
       () => this.scene,
@@ -78,7 +64,7 @@ export class ScenePane {
       this.flags.element,
       this.legend,
       this.cube.element,
-      this.bar,
+      this.bar.element,
       this.section.element,
       this.told,
       this.old_told,
@@ -103,8 +89,7 @@ export class ScenePane {
         p?.section ? { section: p.section, section_y: p.section_y ?? [], edges: p.edges ?? [] } : null,
       ),
     );
-    this.scene?.setColour(this.colour);
-    this.scene?.setProjection(this.flat);
+    this.bar.apply();
     this.scene?.setFilter(this.filter);
     this.draw();
   }
@@ -141,6 +126,7 @@ export class ScenePane {
   }
 
   private make(host: HTMLElement, picked: (v: SceneVertex) => void): Scene | null {
+    const { app } = this;
     try {
       return new Scene(host, {
         pick: (v) => {
@@ -149,7 +135,12 @@ export class ScenePane {
         hover: (v, x, y) => this.hover(v, x, y),
         touched: (place, normal) => this.touched?.(place, normal),
         measured: (m) => {
-          this.told.textContent = measured_told(m, this.measuring ? t("measure_how") : "", this.diameters, this.axes);
+          this.told.textContent = measured_told(
+            m,
+            this.measuring ? t("measure_how") : "",
+            diameters_of(app),
+            axes_of(app),
+          );
         },
         turned: (view) => this.turn(view),
         thinned: (drawn, all) => {
@@ -172,51 +163,21 @@ export class ScenePane {
   }
 
   private turn(view: View): void {
-    this.legend.style.top = `${this.bar.offsetTop + this.bar.offsetHeight + 8}px`;
+    const { element: bar } = this.bar;
+    this.legend.style.top = `${bar.offsetTop + bar.offsetHeight + 8}px`;
     this.cube.turn(view);
-    const { box } = this;
-    if (box)
-      this.flags.set(
-        "figures",
-        figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity)
-          .map((at, k) => ({ kind: "figure" as const, at, text: this.figure_told(box, k) }))
-          .filter((_, k) => this.axes.includes("XYZ"[k]!)),
-      );
     this.flags.place(view, this.element.clientWidth, this.element.clientHeight);
   }
 
-  /// Along an axis in diameter programming the greatest diameter, else the size.
-  private figure_told(box: [Point, Point], k: number): string {
-    const is_wide = is_diameter("XYZ"[k]!, this.diameters);
-    return is_wide
-      ? `${diameter_sign} ${length_told(widest(box[0][k]!, box[1][k]!))}`
-      : length_told(box[1][k]! - box[0][k]!);
-  }
-  private get diameters(): Diameters {
-    return this.app.done?.diameters ?? no_diameters;
-  }
-  /// X, Y, Z of the program; a lathe may have no Y.
-  private get axes(): string[] {
-    const { axes } = this.app.done ?? {};
-    return ["X", "Y", "Z"].filter((a) => !axes?.length || axes.includes(a));
-  }
-
-  /// Places the marks of the program that has been run.
   private mark(): void {
-    const { app, scene } = this,
-      box = app.done?.extents.cutting;
-    this.box = box ? (box as [Point, Point]) : null;
-    this.flags.set(
-      "marks",
-      scene && app.done ? flags_of(app.marks, app.done.seconds, (at) => scene.positionAt(at)) : [],
-    );
-    if (!box) this.flags.set("figures", []);
+    this.flags.mark(this.scene);
     this.draw_legend();
-    scene?.redraw();
+    this.scene?.redraw();
   }
 
   private draw_legend(): void {
-    const { scene, colour } = this;
+    const { scene } = this,
+      { colour } = this.bar;
     const made =
       scene &&
       legend({
@@ -236,7 +197,7 @@ export class ScenePane {
   private hover(v: SceneVertex | null, x: number, y: number): void {
     this.tip.hidden = !v;
     if (!v) return;
-    this.tip.textContent = motion_told(v, this.diameters, this.axes);
+    this.tip.textContent = motion_told(v, diameters_of(this.app), axes_of(this.app));
     const box = this.element.getBoundingClientRect();
     this.tip.style.left = `${Math.min(x + 14, box.width - 250)}px`;
     this.tip.style.top = `${Math.min(y + 14, box.height - 70)}px`;
@@ -246,37 +207,7 @@ export class ScenePane {
     this.element.setAttribute("aria-label", t("view_3d"));
     this.empty_told.textContent = t("nothing_yet");
     this.empty_told.hidden = this.app.opened !== null || this.app.running;
-    this.bar.setAttribute("aria-label", t("view_3d"));
-    const look = h(
-      "select",
-      {
-        "aria-label": t("colour_by"),
-        title: t("colour_by"),
-        onchange: () => {
-          this.colour = look.value as ColourBy;
-          remember("colour", this.colour);
-          this.scene?.setColour(this.colour);
-          this.draw_legend();
-        },
-      },
-      ...colours.map((c) => option(c, t(`colour_${c}`), c === this.colour)),
-    );
-    fill(
-      this.bar,
-      ...views.map((v) => button(t(`view_${v}`), () => this.scene?.view(v), { title: t(`view_${v}_long`) })),
-      look,
-      button(
-        t(this.flat ? "orthographic" : "perspective"),
-        () => {
-          this.flat = !this.flat;
-          remember("orthographic", this.flat);
-          this.scene?.setProjection(this.flat);
-          this.draw();
-        },
-        { title: t("projection") },
-      ),
-      filter_form(this.app, this.filter, (f) => this.set_filter(f)),
-    );
+    this.bar.draw();
     this.tell_thinned();
     this.section.draw();
   }

@@ -1,0 +1,23 @@
+// The style of the page: what comes later decides where two rules have the same weight.
+import "uplot/dist/uPlot.min.css";
+import "./base.css";
+import "./dialogs.css";
+import "./panes.css";
+import "./scene_pane.css";
+import "./state.css";
+import "./files.css";
+import "./start.css";
+import "./lists.css";
+import "./cut.css";
+import "./setup.css";
+import "./timeline.css";
+import "./operator.css";
+import "./workshop.css";
+import "./operator_screen.css";
+import "./operator_readout.css";
+import "./operator_manual.css";
+import "./view.css";
+import "./code.css";
+import "./making.css";
+import "./edit.css";
+import "./print.css";
