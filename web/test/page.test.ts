@@ -3,13 +3,13 @@ import { expect, test, vi } from "vitest";
 import { en } from "../src/texts/en";
 import { ru } from "../src/texts/ru";
 import { PathIndex } from "../src/model/path_index";
-import { shape_of } from "../src/model/tool_shape";
+import { new_tool, shape_of } from "../src/model/tool_shape";
 import { box_of, proper, stock_of } from "../src/model/stock";
 import { debounce, Latest } from "../src/model/latest";
 import { read_frame, type PathFrame } from "../src/protocol/frames";
 import { listed, listed_of_cut, of_shown_text } from "../src/model/listed";
 import { grouped_problems } from "../src/ui/problems_panel";
-import type { Finding, Problem } from "../src/protocol/types";
+import type { Finding, Problem, Tool } from "../src/protocol/types";
 // @ts-expect-error plain JavaScript
 import { path_frame } from "./mock-program.mjs";
 
@@ -197,4 +197,12 @@ test("what never ceases is still carried out now and then", () => {
   vi.advanceTimersByTime(200);
   expect(n).toBe(2);
   vi.useRealTimers();
+});
+
+test("a tool that is added is the first one that the program calls and nothing tells of", () => {
+  const tool = (number: number): Tool => ({ number, kind: "ball" });
+  expect(new_tool([], []).number).toBe(1);
+  expect(new_tool([], [0]).number).toBe(0); // a program without a T word cuts with the tool in the spindle
+  expect(new_tool([tool(1), tool(7)], [1, 5, 7, 6]).number).toBe(5);
+  expect(new_tool([tool(1), tool(7)], [1, 7]).number).toBe(8);
 });

@@ -17,6 +17,13 @@ export function with_inserts(shape: Shape, inserts: readonly Insert[]): Shape {
   return own.length ? { ...shape, inserts: own } : shape;
 }
 
+/// Returns a tool to begin with: the first called one that has no shape yet, else one with the next number.
+export function new_tool(tools: readonly Tool[], called: readonly number[]): Tool {
+  const numbers = tools.map((x) => x.number),
+    number = called.find((n) => !numbers.includes(n)) ?? Math.max(0, ...numbers) + 1;
+  return { number, kind: "flat", diameter: 10, flute_length: 20, length: 50 };
+}
+
 const arc_steps = 8; // per quarter circle: finer than a pixel of the pictures
 
 export function shape_of(tool: Tool): Shape {

@@ -10,7 +10,7 @@ import { t } from "../texts/texts";
 import { button, fill, h, option } from "../ui/dom";
 import { toast } from "../ui/toast";
 import { MdiLine } from "../ui/mdi_line";
-import { enable } from "./parts";
+import { enable, off_told } from "./parts";
 import { go_home, go_to_zero, lead } from "./ways";
 import { Wheel } from "./wheel";
 
@@ -65,11 +65,11 @@ export class ManualTab {
   show(p: Panel | null): void {
     const shape = p
       ? JSON.stringify([this.operator.axes, p.diameters, p.channels.map((c) => c.axes), this.step, this.feed])
-      : "off";
+      : off_told(this.app);
     if (shape !== this.shape) {
       this.shape = shape;
       if (p) this.draw(p);
-      else fill(this.element, h("p", { class: "note" }, t("panel_off")));
+      else fill(this.element, h("p", { class: "note" }, off_told(this.app)));
     }
     // A held key keeps its axis moving: it must stay enabled meanwhile.
     this.may = Boolean(p?.holds) && (["standing", "ended"].includes(p!.mode) || this.held.busy) && !p!.takes_tables;

@@ -1,5 +1,7 @@
 // Small parts of the operator's screen. Its elements stay the same while the machine moves: a button that was drawn
 // again would lose the finger that holds it.
+import type { App } from "../model/app";
+import { t } from "../texts/texts";
 import { button, h } from "../ui/dom";
 
 /// Writes a text only where it has changed.
@@ -15,6 +17,9 @@ export function set(e: Element, name: string, value: string): void {
 export function enable(e: HTMLButtonElement | HTMLInputElement | HTMLSelectElement, may: boolean): void {
   if (e.disabled === may) e.disabled = !may;
 }
+
+/// What to do to have a machine.
+export const off_told = (app: App): string => t(app.opened ? "op_off_ready" : "op_off_long");
 
 /// A button that shows whether it is on; `press` gets the wanted state.
 export function toggle(press: (on: boolean) => void, attributes: Record<string, unknown> = {}): HTMLButtonElement {

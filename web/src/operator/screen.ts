@@ -14,7 +14,7 @@ import { ManualTab } from "./manual_tab";
 import { MessagesTab } from "./messages_tab";
 import { Notice } from "./notice";
 import { OverrideRows } from "./override_rows";
-import { Borrowed, mark, set, write } from "./parts";
+import { Borrowed, mark, off_told, set, write } from "./parts";
 import { ProgramTab } from "./program_tab";
 import { Readout } from "./readout";
 import { RestartTab } from "./restart_tab";
@@ -72,8 +72,8 @@ export class OperatorScreen {
     this.notice = new Notice(operator, this.blocks, to_line);
     this.messages = new MessagesTab(operator, panes.panel.shift.element, panes.problems, this.overrides, to_line);
     this.program = new ProgramTab(panes.scene, panes.source, panes.files, app);
-    this.tool = new ToolTab(operator, panes.panel);
-    this.restart = new RestartTab(panes.panel, operator);
+    this.tool = new ToolTab(app, operator, panes.panel);
+    this.restart = new RestartTab(app, panes.panel, operator);
     this.banner = new Borrowed(panes.banner);
     const pages: Record<TabName, HTMLElement> = {
       op_program: this.program.element,
@@ -171,7 +171,7 @@ export class OperatorScreen {
     for (const name of ["title", "aria-label"]) set(this.help_button, name, t("keys"));
     this.full.draw();
     mark(this.element, "off", !p);
-    write(this.off, p ? "" : t(this.app.opened ? "op_off_ready" : "op_off_long"));
+    write(this.off, p ? "" : off_told(this.app));
     this.off.hidden = Boolean(p);
     for (const e of [this.readout.element, this.blocks.element, this.overrides.element]) e.hidden = !p;
     if (p) {

@@ -1,4 +1,5 @@
 // The tab of the tool in the spindle, its offsets, and the zero: touching the part, and the tables.
+import type { App } from "../model/app";
 import type { Operator } from "../model/operator";
 import { axis_name, no_diameters } from "../model/diameters";
 import type { Panel } from "../protocol/types";
@@ -6,7 +7,7 @@ import type { OperatorPanel } from "../ui/operator_panel";
 import { t } from "../texts/texts";
 import { h } from "../ui/dom";
 import { axis_value } from "../ui/figures";
-import { Borrowed, write } from "./parts";
+import { Borrowed, off_told, write } from "./parts";
 
 export class ToolTab {
   readonly element = h("div", { class: "panel-tab operator" });
@@ -15,6 +16,7 @@ export class ToolTab {
   private borrowed: Borrowed[];
 
   constructor(
+    private app: App,
     private operator: Operator,
     private panel: OperatorPanel,
   ) {
@@ -32,7 +34,7 @@ export class ToolTab {
 
   show(p: Panel | null): void {
     if (!p) {
-      write(this.tool, t("panel_off"));
+      write(this.tool, off_told(this.app));
       return write(this.zero, "");
     }
     const of = p.diameters ?? no_diameters,

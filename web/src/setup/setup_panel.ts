@@ -148,6 +148,7 @@ export class SetupPanel {
     const more = form.not_executed.length > most_ranges ? ", …" : "";
     const told = [
       form.rows.length === 0 && t("setup_nothing"),
+      !this.app.opened?.machine && t("machine_none"),
       form.faults > 0 && t("setup_faults", { count: form.faults }),
       ranges && t("setup_not_executed", { lines: ranges + more }),
     ];

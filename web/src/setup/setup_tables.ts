@@ -91,6 +91,7 @@ export function setup_tools(form: SetupForm, line: (n: number) => void, cut: () 
     "section",
     { class: "setup-table", "data-table": "tools" },
     h("h3", null, t("setup_tools")),
+    !tools.length && h("p", { class: "note" }, t("tools_not_called")),
     ...tools.map((r) =>
       h(
         "div",

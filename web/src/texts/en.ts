@@ -2,6 +2,7 @@
 import { bar_en } from "./en/bar";
 import { cut_en } from "./en/cut";
 import { edit_en } from "./en/edit";
+import { empty_en } from "./en/empty";
 import { files_en } from "./en/files";
 import { making_en } from "./en/making";
 import { operator_en } from "./en/operator";
@@ -19,6 +20,7 @@ export const en = {
   ...view_en,
   ...state_en,
   ...start_en,
+  ...empty_en,
   ...cut_en,
   ...tables_en,
   ...setup_en,

@@ -2,6 +2,7 @@
 import { bar_ru } from "./ru/bar";
 import { cut_ru } from "./ru/cut";
 import { edit_ru } from "./ru/edit";
+import { empty_ru } from "./ru/empty";
 import { files_ru } from "./ru/files";
 import { making_ru } from "./ru/making";
 import { operator_ru } from "./ru/operator";
@@ -20,6 +21,7 @@ export const ru: Record<TextKey, string> = {
   ...view_ru,
   ...state_ru,
   ...start_ru,
+  ...empty_ru,
   ...cut_ru,
   ...tables_ru,
   ...setup_ru,

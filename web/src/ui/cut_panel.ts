@@ -2,6 +2,7 @@
 // stock.
 import type { App } from "../model/app";
 import { extent_of } from "../model/stock";
+import { new_tool } from "../model/tool_shape";
 import { Refused } from "../protocol/client";
 import type { BlankSource, Box, Insert, KeptFile, PartAnswer, Problem, Tool } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
@@ -118,6 +119,7 @@ export class CutPanel {
         this.fixtures_form(),
         h("h3", null, `${t("tools")}, ${t("mm")}`),
         this.files_form(),
+        !this.tools.length && h("p", { class: "note" }, t("tools_none")),
         ...this.tools.map((x) =>
           tool_form(x, this.inserts, () => {
             this.inserts = this.inserts.filter((i) => i.tool !== x.number);
@@ -126,13 +128,7 @@ export class CutPanel {
         ),
         button(t("add_tool"), () => {
           this.touched = true;
-          this.tools.push({
-            number: Math.max(0, ...this.tools.map((x) => x.number)) + 1,
-            kind: "flat",
-            diameter: 10,
-            flute_length: 20,
-            length: 50,
-          });
+          this.tools.push(new_tool(this.tools, this.app.done?.tools.map((x) => x.tool) ?? []));
           this.draw();
         }),
       );

@@ -72,7 +72,7 @@ export class OperatorPanel {
       this.drawn = "";
       fill(
         this.head,
-        h("p", { class: "note" }, t("panel_off")),
+        h("p", { class: "note" }, t(file ? "panel_off" : "panel_no_program")),
         button(
           t("switch_on"),
           () => {

@@ -57,7 +57,7 @@ export function sheet_element(s: Sheet, image: string, shapes: Shape[], axes?: s
       image && h("img", { src: image, alt: t("picture"), class: "sheet-picture" }),
     ),
     h("h3", null, t("tools")),
-    tool_table(s.tools, shapes),
+    s.tools.length ? tool_table(s.tools, shapes) : h("p", { class: "note" }, t("tools_not_called")),
     h(
       "div",
       { class: "sheet-columns" },

@@ -15,7 +15,9 @@ export function stock_form(stock: string, by: BlankSource | null, changed: (stoc
     h("span", null, t("stock_as_text")),
     text_input(stock, changed, { class: "wide" }),
   );
-  const told = by && h("p", { class: "note" }, t(by.line ? "stock_by_line" : "stock_by_setup", { ...by }));
+  const told = by
+    ? h("p", { class: "note" }, t(by.line ? "stock_by_line" : "stock_by_setup", { ...by }))
+    : !stock && h("p", { class: "note" }, t("stock_none"));
   if (cylinder) return h("div", null, told, cylinder_form(cylinder, changed), text);
   if (!box) return h("div", null, told, text);
   const cell = (corner: 0 | 1, i: number): HTMLElement =>

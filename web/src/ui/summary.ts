@@ -44,9 +44,9 @@ export class SummaryPanel {
     );
   }
 
-  private tools(): HTMLElement | null {
+  private tools(): HTMLElement {
     const tools = this.app.done!.tools;
-    if (!tools.length) return null;
+    if (!tools.length) return h("p", { class: "note" }, t("tools_not_called"));
     return h(
       "table",
       { class: "list" },

@@ -18,6 +18,8 @@ const columns_of_offsets = (operator: Operator): string[] =>
   operator.panel?.diameters?.length ? lathe_columns : offset_columns;
 const of_rows = ["work_offsets", "zeros", "offsets", "tool_table", "form_table"]; // a row has columns; the others have one value per row
 
+const first_row: Record<string, string> = { work_offsets: "G54", variables: "#500" };
+
 export const table = (of: Json | undefined): JsonTable =>
   of && typeof of === "object" && !Array.isArray(of) ? of : {};
 const shown = (v: Json | undefined): string =>
@@ -93,6 +95,7 @@ export function table_rows(
   return h(
     "div",
     { class: "table-scroll" },
+    !names.length && h("p", { class: "note" }, t("table_none", { row: first_row[section] ?? "1" })),
     h(
       "table",
       { class: "table-rows" },
@@ -142,6 +145,7 @@ export function table_variables(s: Tables, may: boolean, verbs: TableEdits): HTM
   return h(
     "div",
     { class: "table-scroll" },
+    !names.length && h("p", { class: "note" }, t("table_none", { row: first_row["variables"]! })),
     h(
       "table",
       { class: "table-rows" },

@@ -118,7 +118,7 @@ export class Topbar {
       "select",
       {
         "aria-label": t("machine"),
-        title: t("machine"),
+        title: o.machine ? t("machine") : t("machine_none"),
         onchange: () => void app.run_again({ ...app.choice, machine: machines.value || undefined }),
       },
       option("", t("no_machine"), !o.machine),

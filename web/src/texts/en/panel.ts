@@ -2,7 +2,6 @@
 export const panel_en = {
   // The panel
   panel: "Panel",
-  panel_off: "The machine of this program is off.",
   switch_on: "Switch on",
   switch_on_long: "A machine with this program, as it lies on the disk, in true time",
   switch_off: "Switch off",

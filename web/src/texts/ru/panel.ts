@@ -4,7 +4,6 @@ import type { panel_en } from "../en/panel";
 export const panel_ru: Record<keyof typeof panel_en, string> = {
   // Пульт
   panel: "Пульт",
-  panel_off: "Станок этой УП выключен.",
   switch_on: "Включить",
   switch_on_long: "Станок с этой УП, как она лежит на диске, в настоящем времени",
   switch_off: "Выключить",
