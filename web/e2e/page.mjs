@@ -15,6 +15,8 @@ import { panel_steps } from "./panel_steps.mjs";
 import { program_steps } from "./program_steps.mjs";
 import { restart_steps } from "./restart_steps.mjs";
 import { table_steps } from "./table_steps.mjs";
+import { hand_steps } from "./hand_steps.mjs";
+import { screen_steps } from "./screen_steps.mjs";
 import { setup_steps } from "./setup_steps.mjs";
 import { rotary_steps } from "./rotary_steps.mjs";
 import { file_steps } from "./file_steps.mjs";
@@ -49,7 +51,7 @@ const alone = only || (wanted && wanted !== "view"); // no program is open when 
 const place = { kadr, page, pictures, examples, only: alone };
 // Each group runs alone, in a browser of its own (tests/page_in_browser.py), or all of them in this order. The build reads
 // this line: each name is a test.
-const group_names = ["view", "files", "text", "figures", "setup", "panel", "live", "making", "operator"];
+const group_names = ["view", "files", "text", "figures", "setup", "panel", "live", "making", "hand", "operator"];
 const groups = {
   view: { ...program_steps(place), ...rotary_steps({ kadr, page, pictures, only }) },
   files: file_steps(place),
@@ -69,6 +71,7 @@ const groups = {
     ...convert_steps(place),
     ...finger_steps({ kadr, browser: page.context().browser(), pictures }),
   },
+  hand: { ...hand_steps(place), ...screen_steps(place) },
   operator: {
     ...operator_steps(place),
     ...access_steps(place),

@@ -9,6 +9,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { browser, until } from "./browser.mjs";
 import { server } from "./server.mjs";
+import { told_times } from "./times.mjs";
 
 const presses = Number(process.argv[2] ?? 40),
   folder = mkdtempSync(join(tmpdir(), "kadr-press-"));
@@ -108,15 +109,8 @@ for (let i = 0; i < presses; i++) {
   await page.waitForTimeout(60);
   if (i % 20 === 0) gaps = gaps.concat(await page.evaluate(pace));
 }
-const told = (name, times) => {
-  times.sort((a, b) => a - b);
-  const at = (part) => times[Math.min(times.length - 1, Math.floor(part * times.length))].toFixed(1);
-  console.log(
-    `${name.padEnd(24)} median ${at(0.5)}, nine of ten ${at(0.9)}, least ${at(0)}, greatest ${at(1)} ms, of ${times.length}`,
-  );
-};
-for (const s of stages) told(`press to ${s}`, all[s]);
-told("between frames, running", gaps);
+for (const s of stages) told_times(`press to ${s}`, all[s]);
+told_times("between frames, running", gaps);
 await close();
 await kadr.close();
 rmSync(folder, { recursive: true });

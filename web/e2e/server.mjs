@@ -62,6 +62,16 @@ const our_own = {
     work_offsets: { G54: { X: -100, Y: -50, Z: -300 } },
     offsets: { 2: { radius: 8 }, 3: { length: 80 } },
   }),
+  // An alarm that is out of view when the text begins at its first line.
+  "alarm.nc": [
+    "%",
+    "O0004 (ALARM IN LINE 63)",
+    "N10 G21 G90 G54 G17 G40 G49 G80",
+    ...Array.from({ length: 59 }, (_, i) => `N${20 + 10 * i} G0 X${i % 2}.`),
+    "N610 G777 X5.",
+    "N620 M30",
+    "%",
+  ].join("\n"),
   "inch.nc": [
     "%",
     "O0002 (INCHES)",

@@ -63,12 +63,26 @@ describe("a held key", () => {
   it("begins after the axes have stopped, if it is still held then", async () => {
     const jog = new HeldJog(operator);
     jog.press("X", 1, 500);
+    await after(0);
     now("running");
     jog.release();
     jog.press("X", -1, 500);
     expect(said("jog").length).toBe(1);
     now("standing");
     expect(said("jog").length).toBe(2);
+    jog.release();
+    await after(10);
+  });
+  it("does not take an old state for the end of its motion", async () => {
+    const jog = new HeldJog(operator);
+    jog.press("X", 1, 500);
+    await after(0);
+    jog.release();
+    jog.press("X", -1, 500); // the state at hand is from before the motion
+    expect(said("jog").length).toBe(1);
+    now("running");
+    now("standing");
+    expect(said("jog").map((q) => q["way"])).toEqual([1, -1]);
     jog.release();
     await after(10);
   });
@@ -101,6 +115,17 @@ describe("steps", () => {
     jog.step("X", 1, 0.1, 500);
     now("running");
     expect(said("jog").length).toBe(1);
+    now("standing");
+    expect(said("jog").map((q) => q["way"])).toEqual([0.1, 0.2]);
+  });
+  it("wait for a state that is newer than the last step", async () => {
+    const jog = new StepJog(operator);
+    jog.step("X", 1, 0.1, 500);
+    await after(0);
+    jog.step("X", 1, 0.1, 500); // the state at hand still says that the machine stands
+    expect(said("jog").length).toBe(1);
+    now("running");
+    jog.step("X", 1, 0.1, 500);
     now("standing");
     expect(said("jog").map((q) => q["way"])).toEqual([0.1, 0.2]);
   });

@@ -1,5 +1,6 @@
 // Tests the connection to a machine: switched on, watched, refused, lost and restored.
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { alarm_told } from "../src/model/alarm_told";
 import { Operator } from "../src/model/operator";
 import type { Socket } from "../src/protocol/client";
 
@@ -124,4 +125,11 @@ describe("a machine's operator", () => {
     expect(line.said("panel")).toBe(before);
     expect(operator.panel).toBeNull();
   });
+});
+
+it("an alarm is told with its number once", () => {
+  expect(alarm_told({ number: 1070, text: "No feed" })).toBe("1070 No feed");
+  expect(alarm_told({ number: 10, text: "PS0010 IMPROPER G-CODE: G777" })).toBe("PS0010 IMPROPER G-CODE: G777");
+  expect(alarm_told({ number: 0, text: "No feed" })).toBe("No feed");
+  expect(alarm_told({ text: "No feed" })).toBe("No feed");
 });

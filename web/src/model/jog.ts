@@ -5,6 +5,24 @@ import type { Operator } from "./operator";
 export const renew_every = 100; // ms
 const most_waiting = 50; // steps
 
+/// The state at hand is older than a motion that has just been accepted: it says that the machine stands. Only the first
+/// state after the answer counts, as questions are answered in order.
+class Shown {
+  is = true;
+  private answered = true;
+
+  ask(): void {
+    this.is = this.answered = false;
+  }
+  answer(accepted: boolean): void {
+    this.answered = true;
+    if (!accepted) this.is = true;
+  }
+  state(): void {
+    if (this.answered) this.is = true;
+  }
+}
+
 interface Held {
   axis: string;
   way: 1 | -1;
@@ -15,10 +33,14 @@ interface Held {
 export class HeldJog {
   private held: Held | null = null; // the key that is held
   private moves = false; // a request to move has been sent
+  private shown = new Shown(); // whether a state shows that motion
   private timer: ReturnType<typeof setInterval> | undefined;
 
   constructor(private operator: Operator) {
-    operator.on_panel.on(() => this.begin());
+    operator.on_panel.on(() => {
+      this.shown.state();
+      this.begin();
+    });
   }
 
   /// True while the axes move because of a key, or a key is held.
@@ -45,7 +67,7 @@ export class HeldJog {
     const p = this.operator.panel,
       { held } = this;
     if (this.timer !== undefined) return;
-    if (p && this.moves && p.mode !== "running") this.moves = false;
+    if (p && this.moves && this.shown.is && p.mode !== "running") this.moves = false;
     if (!held || !p || this.moves) return;
     if (!p.holds || !["standing", "ended"].includes(p.mode)) {
       this.held = null; // a program runs, or an alarm: a key that is held must not begin later
@@ -55,9 +77,11 @@ export class HeldJog {
     const timer = setInterval(() => void this.renew(timer), renew_every);
     this.timer = timer;
     this.moves = true;
-    void this.operator
-      .ask("jog", { axis, way, feed, held: true, ...(channel ? { channel } : {}) })
-      .then((answer) => answer ?? this.fail(timer));
+    this.shown.ask();
+    void this.operator.ask("jog", { axis, way, feed, held: true, ...(channel ? { channel } : {}) }).then((answer) => {
+      this.shown.answer(answer !== null);
+      if (!answer) this.fail(timer);
+    });
   }
 
   private async renew(timer: typeof this.timer): Promise<void> {
@@ -81,9 +105,13 @@ export class StepJog {
   private waiting = new Map<string, { axis: string; channel: number; steps: number; size: number; feed: number }>();
   private asking = false;
   private moving = false; // the axes move because of a step
+  private shown = new Shown(); // whether a state shows that motion
 
   constructor(private operator: Operator) {
-    operator.on_panel.on(() => this.go_on());
+    operator.on_panel.on(() => {
+      this.shown.state();
+      this.go_on();
+    });
   }
 
   /// True while steps may be added: the machine stands, or moves because of a step. A step that is asked for while a
@@ -118,7 +146,7 @@ export class StepJog {
 
   private go_on(): void {
     const p = this.operator.panel;
-    if (this.asking) return;
+    if (this.asking || !this.shown.is) return;
     if (!this.takes) {
       this.moving = false;
       return this.clear();
@@ -130,9 +158,11 @@ export class StepJog {
     this.waiting.delete(key);
     if (!steps) return this.go_on();
     this.asking = true;
+    this.shown.ask();
     const way = Math.round(steps * size * 1e6) / 1e6;
     void this.operator.ask("jog", { axis, way, feed, ...(channel ? { channel } : {}) }).then((answer) => {
       this.asking = false;
+      this.shown.answer(answer !== null);
       this.moving = answer !== null;
       if (!answer) this.clear();
     });

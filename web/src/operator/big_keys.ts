@@ -4,7 +4,8 @@ import type { Operator } from "../model/operator";
 import type { Panel } from "../protocol/types";
 import { t } from "../texts/texts";
 import { button, h } from "../ui/dom";
-import { enable, mark, set, toggle, write } from "./parts";
+import { enable, mark, set, write } from "../ui/update";
+import { toggle } from "./parts";
 
 export class BigKeys {
   readonly element = h("div", { class: "big-keys", role: "toolbar" });

@@ -3,7 +3,7 @@ import type { Operator } from "../model/operator";
 import type { Panel } from "../protocol/types";
 import { t } from "../texts/texts";
 import { h } from "../ui/dom";
-import { set, write } from "./parts";
+import { set, write } from "../ui/update";
 
 const next_ones = 3;
 

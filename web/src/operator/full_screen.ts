@@ -3,7 +3,7 @@
 import { t } from "../texts/texts";
 import { button } from "../ui/dom";
 import { icon } from "../ui/icons";
-import { set } from "./parts";
+import { set } from "../ui/update";
 
 type Locked = Navigator & { keyboard?: { lock(keys: string[]): Promise<void>; unlock(): void } };
 const keyboard = (): Locked["keyboard"] => (navigator as Locked).keyboard;

@@ -10,7 +10,8 @@ import { t } from "../texts/texts";
 import { button, fill, h, option } from "../ui/dom";
 import { toast } from "../ui/toast";
 import { MdiLine } from "../ui/mdi_line";
-import { enable, off_told } from "./parts";
+import { enable } from "../ui/update";
+import { off_told } from "./parts";
 import { go_home, go_to_zero, lead } from "./ways";
 import { Wheel } from "./wheel";
 

@@ -1,4 +1,5 @@
 // The tab of messages: alarms and messages of the machine, what the check found, the log of the shift, settings.
+import { alarm_told } from "../model/alarm_told";
 import type { Operator } from "../model/operator";
 import type { Panel } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
@@ -66,7 +67,7 @@ export class MessagesTab {
       this.say({
         at: new Date(),
         kind: "alarm",
-        text: [p!.alarm!.number, p!.alarm!.text, p!.alarm!.hint].filter(Boolean).join(" "),
+        text: [alarm_told(p!.alarm!), p!.alarm!.hint].filter(Boolean).join(" "),
         line: p!.alarm!.file === 0 ? p!.alarm!.line : 0,
       });
       changed = true;

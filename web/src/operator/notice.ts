@@ -3,6 +3,7 @@ import type { Operator } from "../model/operator";
 import type { Panel } from "../protocol/types";
 import { t } from "../texts/texts";
 import { button, fill, h } from "../ui/dom";
+import { alarm_told } from "../model/alarm_told";
 import { comments_of } from "../model/comments";
 import type { Blocks } from "./blocks";
 
@@ -35,8 +36,7 @@ export class Notice {
         h(
           "p",
           { class: "told alarm" },
-          p.alarm.number && h("b", null, `${p.alarm.number} `),
-          p.alarm.text,
+          alarm_told(p.alarm),
           p.alarm.hint ? ` ${p.alarm.hint}` : "",
           " ",
           p.alarm.line > 0 && this.line_button(p),

@@ -5,7 +5,7 @@ import { bounded_override, most_feed, type Share } from "../model/overrides";
 import type { Panel } from "../protocol/types";
 import { t } from "../texts/texts";
 import { button, h } from "../ui/dom";
-import { enable, mark, set, write } from "./parts";
+import { enable, mark, set, write } from "../ui/update";
 
 interface Row {
   name: Share;

@@ -4,20 +4,6 @@ import type { App } from "../model/app";
 import { t } from "../texts/texts";
 import { button, h } from "../ui/dom";
 
-/// Writes a text only where it has changed.
-export function write(e: Element, text: string): void {
-  if (e.textContent !== text) e.textContent = text;
-}
-export function mark(e: Element, name: string, on: boolean): void {
-  if (e.classList.contains(name) !== on) e.classList.toggle(name, on);
-}
-export function set(e: Element, name: string, value: string): void {
-  if (e.getAttribute(name) !== value) e.setAttribute(name, value);
-}
-export function enable(e: HTMLButtonElement | HTMLInputElement | HTMLSelectElement, may: boolean): void {
-  if (e.disabled === may) e.disabled = !may;
-}
-
 /// What to do to have a machine.
 export const off_told = (app: App): string => t(app.opened ? "op_off_ready" : "op_off_long");
 

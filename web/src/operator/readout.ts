@@ -6,7 +6,7 @@ import type { Panel } from "../protocol/types";
 import { t } from "../texts/texts";
 import { fill, h } from "../ui/dom";
 import { axis_value, feed, length, short, surface_figure } from "../ui/figures";
-import { mark, write } from "./parts";
+import { mark, write } from "../ui/update";
 
 interface Row {
   axis: string;

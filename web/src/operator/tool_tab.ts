@@ -7,7 +7,8 @@ import type { OperatorPanel } from "../ui/operator_panel";
 import { t } from "../texts/texts";
 import { h } from "../ui/dom";
 import { axis_value } from "../ui/figures";
-import { Borrowed, off_told, write } from "./parts";
+import { write } from "../ui/update";
+import { Borrowed, off_told } from "./parts";
 
 export class ToolTab {
   readonly element = h("div", { class: "panel-tab operator" });

@@ -27,6 +27,7 @@ export class Wheel {
     );
     this.dial.addEventListener("pointerdown", (e) => {
       this.dial.setPointerCapture(e.pointerId);
+      this.rest = 0;
       this.last = this.angle(e);
     });
     this.dial.addEventListener("pointermove", (e) => {
@@ -35,6 +36,9 @@ export class Wheel {
         by = ((now - this.last + 540) % 360) - 180;
       this.last = now;
       this.turn((by * clicks_a_turn) / 360);
+    });
+    this.dial.addEventListener("lostpointercapture", () => {
+      this.rest = 0; // a part of a click must not come with a later turn, perhaps of another axis
     });
     this.dial.addEventListener("keydown", (e) => {
       const by = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[e.key];
@@ -52,6 +56,7 @@ export class Wheel {
         axis,
         () => {
           this.axis = axis;
+          this.rest = 0;
           remember("op_wheel", axis);
           this.draw(axes);
         },

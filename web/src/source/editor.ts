@@ -152,9 +152,8 @@ export function editor_view(
     editor: view,
     show_line(line, beside = "") {
       const at = start_of(view.state, line);
-      const effects: StateEffect<unknown>[] = [set_running.of({ line, beside })];
-      if (at >= 0 && !seen(view, at)) effects.push(EditorView.scrollIntoView(at, { y: "center" }));
-      view.dispatch({ effects });
+      view.dispatch({ effects: set_running.of({ line, beside }) });
+      if (at >= 0 && !seen(view, at)) scroll_to(view, line);
     },
     take: (text) => take_text(view, text),
     insert: (lines) => {
@@ -191,9 +190,30 @@ function take_text(view: EditorView, text: string): void {
   });
 }
 
-/// True if the line is visible, so that the text does not jump while the slider moves.
+/// Scrolls to the running line. The heights of a text that was hidden until now are guesses: the editor measures them only
+/// with the next pictures, so that it is looked whether the line has come into view.
+function scroll_to(view: EditorView, line: number, tries = 3): void {
+  const at = start_of(view.state, line);
+  if (at < 0 || view.state.field(running).line !== line) return;
+  view.dispatch({ effects: EditorView.scrollIntoView(at, { y: "center" }) });
+  const again = (): void => {
+    if (view.dom.isConnected && !drawn_in_view(view, line)) scroll_to(view, line, tries - 1);
+  };
+  if (tries > 0) requestAnimationFrame(() => setTimeout(again));
+}
+
+/// As it is drawn, not as the editor reckons. A text that is hidden has no better place to go to.
+function drawn_in_view(view: EditorView, line: number): boolean {
+  const at = start_of(view.state, line),
+    box = view.scrollDOM.getBoundingClientRect(),
+    drawn = at < 0 || box.height === 0 ? box : view.coordsAtPos(at);
+  return drawn !== null && drawn.top >= box.top - 1 && drawn.bottom <= box.bottom + 1;
+}
+
+/// True if the line is visible, so that the text does not jump while the slider moves. Without a height it has not been
+/// measured yet.
 function seen(view: EditorView, at: number): boolean {
   const block = view.lineBlockAt(at),
     box = view.scrollDOM;
-  return block.top >= box.scrollTop && block.bottom <= box.scrollTop + box.clientHeight;
+  return block.height > 0 && block.top >= box.scrollTop && block.bottom <= box.scrollTop + box.clientHeight;
 }

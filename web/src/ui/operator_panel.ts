@@ -1,5 +1,6 @@
 // The panel of a machine: positions, keys, switches, lines by hand (MDI), axes by hand, stop points.
 import type { App } from "../model/app";
+import { alarm_told } from "../model/alarm_told";
 import type { Operator } from "../model/operator";
 import type { Panel } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
@@ -11,6 +12,7 @@ import { RestartPanel } from "./restart_panel";
 import { ShiftPanel } from "./shift_panel";
 import { TablesPanel } from "./tables_panel";
 import { TouchPanel, type TouchDoor } from "./touch_panel";
+import { set, write } from "./update";
 import { WatchPanel } from "./watch_panel";
 
 export class OperatorPanel {
@@ -24,12 +26,19 @@ export class OperatorPanel {
   readonly touch: TouchPanel;
   readonly watch: WatchPanel;
   readonly shift: ShiftPanel;
+  private now = {
+    mode: h("span", { class: "mode" }),
+    name: h("b", { class: "grow" }),
+    line: h("span", { class: "dim" }),
+    block: h("code", { class: "block-text" }),
+  };
+  private said_drawn = "";
   private drawn = ""; // the state for which keys and hand controls were drawn
 
   constructor(
     private app: App,
     private operator: Operator,
-    show_line: (line: number) => void,
+    private show_line: (line: number) => void,
     ask_touch: TouchDoor["ask"],
   ) {
     this.keys = new PanelKeys(operator);
@@ -58,7 +67,8 @@ export class OperatorPanel {
     operator.on_panel.on(() => this.draw());
     for (const s of [app.on_opened, app.on_done]) s.on(() => this.draw());
     on_language(() => {
-      this.drawn = "";
+      this.drawn = this.said_drawn = "";
+      this.figures.clear();
       this.draw();
     });
     this.draw();
@@ -69,7 +79,7 @@ export class OperatorPanel {
     if (!p) {
       const o = this.app.opened,
         file = o?.file;
-      this.drawn = "";
+      this.drawn = this.said_drawn = "";
       fill(
         this.head,
         h("p", { class: "note" }, t(file ? "panel_off" : "panel_no_program")),
@@ -82,19 +92,18 @@ export class OperatorPanel {
         ),
       );
       this.keys.clear();
-      return (fill(this.figures.element), fill(this.hands.element));
+      this.figures.clear();
+      return fill(this.hands.element);
     }
     this.draw_head(p);
     this.figures.draw(p);
+    this.keys.show_shares(p);
     const wanted = JSON.stringify([
       p.mode,
       p.holds,
       p.single,
       p.optional_stop,
       p.skip,
-      p.override,
-      p.rapid,
-      p.spindle,
       p.dry_feed,
       p.can_undo,
       p.asks,
@@ -108,43 +117,33 @@ export class OperatorPanel {
   }
 
   private draw_head(p: Panel): void {
-    fill(
-      this.head,
-      h(
-        "div",
-        { class: "row" },
-        h("span", { class: `mode ${p.mode}` }, t(`mode_${p.mode}`)),
-        h("b", { class: "grow" }, this.operator.name),
-        h("span", { class: "dim" }, t("line_n", { line: p.line })),
-      ),
-      h("code", { class: "block-text" }, p.text),
-      p.why &&
+    const told = [p.mode, p.why, p.goes_there, p.told, p.asks, p.takes_tables, p.not_kept, p.alarm, p.holds],
+      wanted = JSON.stringify([told, this.operator.stood]);
+    const { mode, name, line, block } = this.now;
+    set(mode, "class", `mode ${p.mode}`);
+    write(mode, t(`mode_${p.mode}`));
+    write(name, this.operator.name ?? "");
+    write(line, t("line_n", { line: p.line }));
+    write(block, p.text);
+    if (wanted === this.said_drawn) return; // a button that was drawn again would lose the finger that holds it
+    this.said_drawn = wanted;
+    fill(this.head, h("div", { class: "row" }, mode, name, line), block, ...this.said(p));
+  }
+
+  /// What the machine says, with the buttons to answer it.
+  private said(p: Panel): (HTMLElement | false | null)[] {
+    const told = (text: string): HTMLElement => h("p", { class: "told" }, text);
+    return [
+      p.why !== "" &&
         p.mode === "standing" &&
-        h("p", { class: "told" }, p.why === "restart" ? t("why_restart") : t("stands_by", { code: p.why })),
-      p.goes_there && h("p", { class: "told" }, t("goes_there")),
-      p.told && h("p", { class: "told" }, p.told),
-      p.asks &&
-        h(
-          "div",
-          { class: "row" },
-          ...(
-            [
-              ["answer_ok", 1],
-              ["answer_yes", 2],
-              ["answer_no", 3],
-              ["answer_cancel", 0],
-            ] as const
-          ).map(([text, answer]) =>
-            button(t(text), () => void this.operator.ask("answer", { answer }), {
-              disabled: !p.holds,
-              "data-starts": "",
-            }),
-          ),
-        ),
+        told(p.why === "restart" ? t("why_restart") : t("stands_by", { code: p.why })),
+      p.goes_there && told(t("goes_there")),
+      p.told !== "" && told(p.told),
+      p.asks && this.answers(p),
       p.takes_tables && h("p", { class: "note" }, t("takes_tables")),
-      p.not_kept && h("p", { class: "told alarm" }, t("not_kept", { why: p.not_kept })),
+      p.not_kept !== "" && h("p", { class: "told alarm" }, t("not_kept", { why: p.not_kept })),
       this.stood(p),
-      p.alarm && h("p", { class: "told alarm" }, `${p.alarm.text}${p.alarm.hint ? ` ${p.alarm.hint}` : ""}`),
+      p.alarm && this.alarm(p.alarm),
       !p.holds &&
         h(
           "p",
@@ -153,7 +152,33 @@ export class OperatorPanel {
           " ",
           button(t("take_controls"), () => this.operator.press("take")),
         ),
+    ];
+  }
+
+  private answers(p: Panel): HTMLElement {
+    const answers = [
+      ["answer_ok", 1],
+      ["answer_yes", 2],
+      ["answer_no", 3],
+      ["answer_cancel", 0],
+    ] as const;
+    return h(
+      "div",
+      { class: "row" },
+      ...answers.map(([text, answer]) =>
+        button(t(text), () => void this.operator.ask("answer", { answer }), { disabled: !p.holds, "data-starts": "" }),
+      ),
     );
+  }
+
+  private alarm(alarm: NonNullable<Panel["alarm"]>): HTMLElement {
+    const { hint, line, file, file_name } = alarm;
+    const where =
+      line > 0 &&
+      (file === 0
+        ? button(t("line_n", { line }), () => this.show_line(line), { class: "to-line" })
+        : `${file_name ?? ""}:${line}`);
+    return h("p", { class: "told alarm" }, `${alarm_told(alarm)}${hint ? ` ${hint}` : ""} `, where);
   }
 
   /// Shown after the server ended in the middle of a program.

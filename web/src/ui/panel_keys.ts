@@ -1,15 +1,19 @@
 // The keys and switches of the panel: run, hold, reset, emergency stop, steps, overrides.
 import { remembered } from "../model/memory";
-import { most_feed } from "../model/overrides";
+import { most_feed, type Share } from "../model/overrides";
 import type { Operator } from "../model/operator";
 import type { Panel } from "../protocol/types";
 import { t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 
+const takes_effect = 500; // ms from moving a slider to a state that shows it
+
 export class PanelKeys {
   readonly element = h("div", { class: "operator-keys-part" });
   private first = h("div", { class: "operator-keys first", role: "toolbar" });
   private keys = h("div", { class: "operator-keys", role: "toolbar" });
+
+  private shares = new Map<Share, { input: HTMLInputElement; told: HTMLElement; moved_at: number }>();
 
   constructor(private operator: Operator) {
     this.element.append(this.first, this.keys);
@@ -18,26 +22,35 @@ export class PanelKeys {
   clear(): void {
     fill(this.first);
     fill(this.keys);
+    this.shares.clear();
   }
 
-  private share(name: "override" | "rapid" | "spindle", p: Panel, most: number, least = 0): HTMLElement {
+  /// The overrides of this state. The sliders stay the same: one that was drawn again would end the drag.
+  show_shares(p: Panel): void {
+    for (const [name, { input, told, moved_at }] of this.shares) {
+      const percent = Math.round(100 * p[name]);
+      if (!input.matches(":active") && performance.now() > moved_at + takes_effect) input.value = String(percent);
+      told.textContent = `${percent} %`;
+    }
+  }
+
+  private share(name: Share, p: Panel, most: number, least = 0): HTMLElement {
+    const told = h("span", { class: "dim override" }),
+      slider = { told, moved_at: -Infinity };
     const input = h("input", {
       type: "range",
       min: String(least),
       max: String(most),
       step: "5",
-      value: String(Math.round(100 * p[name])),
       disabled: !p.holds,
       "aria-label": t(`share_${name}`),
-      oninput: () => void this.operator.ask("switches", { [name]: Number(input.value) / 100 }),
+      oninput: () => {
+        slider.moved_at = performance.now();
+        void this.operator.ask("switches", { [name]: Number(input.value) / 100 });
+      },
     });
-    return h(
-      "label",
-      { class: "field" },
-      h("span", null, t(`share_${name}`)),
-      input,
-      h("span", { class: "dim override" }, `${Math.round(100 * p[name])} %`),
-    );
+    this.shares.set(name, Object.assign(slider, { input }));
+    return h("label", { class: "field" }, h("span", null, t(`share_${name}`)), input, told);
   }
 
   draw(p: Panel): void {
@@ -103,5 +116,6 @@ export class PanelKeys {
       ),
       button(t("switch_off"), () => operator.press("off"), { disabled: off }),
     );
+    this.show_shares(p);
   }
 }

@@ -16,6 +16,8 @@ export class ProgramFlags {
   private flags: Flags;
   private box: [Point, Point] | null = null; // extents, whose figures are at its edges
 
+  private drawn = ""; // the figures
+
   constructor(private app: App) {
     this.flags = new Flags((time) => app.seek(time));
   }
@@ -32,20 +34,23 @@ export class ProgramFlags {
       "marks",
       scene && app.done ? flags_of(app.marks, app.done.seconds, (at) => scene.positionAt(at)) : [],
     );
-    if (!box) this.flags.set("figures", []);
+    if (box) return;
+    this.flags.set("figures", []);
+    this.drawn = "";
   }
 
   /// Follows the view, in a pane of that size in px.
   place(view: View, width: number, height: number): void {
     const { box } = this,
       axes = axes_of(this.app);
-    if (box)
-      this.flags.set(
-        "figures",
-        figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity)
+    if (box) {
+      const figures = figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity)
           .map((at, k) => ({ kind: "figure" as const, at, text: this.told(box, k) }))
           .filter((_, k) => axes.includes("XYZ"[k]!)),
-      );
+        drawn = JSON.stringify(figures);
+      if (drawn !== this.drawn) this.flags.set("figures", figures);
+      this.drawn = drawn;
+    }
     this.flags.place(view, width, height);
   }
 

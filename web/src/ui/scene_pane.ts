@@ -35,6 +35,7 @@ export class ScenePane {
   private touched: ((place: Point, normal: Point) => void) | null = null;
   private counted: [number, number] = [0, 0]; // drawn segments, and all
   private filter = usual_filter;
+  private size: [number, number] = [0, 0]; // of the pane, px
 
   constructor(
     private app: App,
@@ -89,6 +90,8 @@ export class ScenePane {
         p?.section ? { section: p.section, section_y: p.section_y ?? [], edges: p.edges ?? [] } : null,
       ),
     );
+    const sizes = new ResizeObserver(() => this.measure());
+    for (const e of [this.element, this.bar.element]) sizes.observe(e);
     this.bar.apply();
     this.scene?.setFilter(this.filter);
     this.draw();
@@ -162,11 +165,16 @@ export class ScenePane {
     this.thinned_told.title = t("thinned_long");
   }
 
-  private turn(view: View): void {
+  /// Sizes are read when they change: to ask for them with each picture would lay the page out each time.
+  private measure(): void {
     const { element: bar } = this.bar;
     this.legend.style.top = `${bar.offsetTop + bar.offsetHeight + 8}px`;
+    this.size = [this.element.clientWidth, this.element.clientHeight];
+    this.scene?.redraw();
+  }
+  private turn(view: View): void {
     this.cube.turn(view);
-    this.flags.place(view, this.element.clientWidth, this.element.clientHeight);
+    this.flags.place(view, ...this.size);
   }
 
   private mark(): void {

@@ -9,6 +9,6 @@ export const empty_en = {
     "No tool of the program is known. Add one here, or state its size in the comment of its block, such as T1 M6 (END MILL D10).",
   tools_not_called: "The program calls no tool. The T word and tool change of the control, such as T1 M6, call one.",
   stock_none:
-    "No blank is known. Enter one here, such as box:0,0,-20,100,60,0 (least and greatest X, Y, Z), or state it in a comment, such as (PLATE 120X80X25).",
+    "No blank is known. Enter one, such as box:0,0,-20,100,60,0, or state it in a comment, such as (PLATE 120X80X25).",
   table_none: "Nothing is stated here yet. Enter the name of a row, such as {row}, and press Add.",
 };
