@@ -43,6 +43,28 @@ const words = (line: string): string[] => {
   return out;
 };
 
+test("parentheses of a block with names are no comments", () => {
+  expect(words("N10 MCALL CYCLE81(20,0) ; holes")).toEqual([
+    "label:N10",
+    "keyword:MCALL",
+    "keyword:CYCLE81",
+    "number:20",
+    "number:0",
+    "comment:; holes",
+  ]);
+  expect(words("G2 X=IC(5) CR=3")).toEqual([
+    "motion:G2",
+    "axis:X",
+    "keyword:IC",
+    "number:5",
+    "variable:CR",
+    "number:3",
+  ]);
+  expect(words('MSG("a (b) X1")')).toEqual(["keyword:MSG", 'program:"a (b) X1"']);
+  for (const line of ["G0 X10(home)", "M6 (T1)", "#1=5 (depth)", "END1 (end)", "G91G28Z0(up)"])
+    expect(words(line).at(-1)).toMatch(/^comment:\(/);
+});
+
 test("words of a line", () => {
   expect(words("N10 G1 X-1.5 F200 M8 (note) ; end")).toEqual([
     "label:N10",
