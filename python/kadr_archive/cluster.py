@@ -26,6 +26,21 @@ def do_batch(job: Job, items: list[Item]) -> list[dict[str, Any]]:
     return list(results_of(own.child, items))
 
 
+def connect(scheduler: str, scheduler_file: Optional[Path]) -> tuple[Any, Any]:
+    """Returns Dask's module and a client of the scheduler."""
+    try:
+        import distributed
+    except ImportError:
+        raise CannotWork('a cluster needs Dask: python3-distributed') from None
+    where = {'scheduler_file': str(scheduler_file)} if scheduler_file else {'address': scheduler}
+    if scheduler_file and not scheduler_file.is_file():
+        raise CannotWork(f'{scheduler_file}: no such file')
+    try:
+        return distributed, distributed.Client(timeout=CONNECT_SECONDS, set_as_default=False, name='kadr-archive', **where)
+    except (OSError, ValueError) as error:
+        raise CannotWork(f'{scheduler or scheduler_file}: {error}') from None
+
+
 class Sent(NamedTuple):
     """A batch on its way, and how many workers have died with it."""
 
@@ -37,20 +52,9 @@ class Cluster:
     """Sends batches to the workers of a Dask scheduler. Dask repeats those of a lost worker elsewhere."""
 
     def __init__(self, job: Job, scheduler: str, scheduler_file: Optional[Path], sees_files: bool) -> None:
-        try:
-            import distributed
-        except ImportError:
-            raise CannotWork('a cluster needs Dask: python3-distributed') from None
-        self.distributed = distributed
         self.job = job
         self.sees_files = sees_files
-        where = {'scheduler_file': str(scheduler_file)} if scheduler_file else {'address': scheduler}
-        if scheduler_file and not scheduler_file.is_file():
-            raise CannotWork(f'{scheduler_file}: no such file')
-        try:
-            self.client = distributed.Client(timeout=CONNECT_SECONDS, set_as_default=False, name='kadr-archive', **where)
-        except (OSError, ValueError) as error:
-            raise CannotWork(f'{scheduler or scheduler_file}: {error}') from None
+        self.distributed, self.client = connect(scheduler, scheduler_file)
 
     def batch_programs(self, todo: int) -> int:
         """Returns how many programs a batch has: scheduler and client need some milliseconds for each, a worker for each program."""

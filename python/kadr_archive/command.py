@@ -53,6 +53,7 @@ def arguments(given: Optional[Sequence[str]]) -> argparse.Namespace:
         if name == 'convert':
             of.add_argument('--to', required=True, metavar='ID', help=texts.of('to'))
             of.add_argument('--out', type=Path, metavar='DIR', help=texts.of('out_folder'))
+    commands.add_parser('cut', help=texts.of('cut_help'), add_help=False)   # cut.py reads its options
     of = commands.add_parser('diff', help=texts.of('diff_help'), description=texts.of('diff_help'))
     of.add_argument('--db', type=Path, required=True, metavar='FILE', help=texts.of('db'))
     of.add_argument('--from', dest='before', type=int, metavar='RUN', help=texts.of('diff_from'))
@@ -80,7 +81,7 @@ def own_file(name: str) -> tuple[str, str]:
     try:
         text = Path(name).read_text(encoding='utf-8')
     except OSError as error:
-        raise Wrong(str(error)) from None
+        raise Wrong(texts.reason(error)) from None
     return f'{Path(name).name}:{places.digest(text.encode()).hex()[:16]}', text
 
 
@@ -91,7 +92,7 @@ def choice_and_job(of: argparse.Namespace) -> tuple[places.Choice, Job]:
     def key_of(control: str) -> str:
         if not control.endswith('.toml'):
             if control and control not in kadr.controls():
-                raise Wrong(texts.of('no_control').format(control))
+                raise Wrong(texts.of('no_control').format(control) + texts.like(control, kadr.controls()))
             return control
         if control not in keys:
             keys[control], text = own_file(control)
@@ -108,11 +109,13 @@ def choice_and_job(of: argparse.Namespace) -> tuple[places.Choice, Job]:
     if of.setup:
         try:
             setup = json.dumps(json.loads(of.setup.read_text(encoding='utf-8')), sort_keys=True)
-        except (OSError, ValueError) as error:
-            raise Wrong(f'{of.setup}: {error}') from None
+        except OSError as error:
+            raise Wrong(texts.reason(error)) from None
+        except ValueError as error:
+            raise Wrong(texts.of('no_json').format(of.setup, error)) from None
     machine = own_file(of.machine)[1] if of.machine.endswith('.toml') else of.machine
     if '\n' not in machine and machine not in kadr.machines():
-        raise Wrong(texts.of('no_machine').format(machine))
+        raise Wrong(texts.of('no_machine').format(machine) + texts.like(machine, kadr.machines()))
     if of.command == 'convert':
         key_of(of.to)
     return choice, Job(of.command, machine, setup, getattr(of, 'to', ''), controls, of.most_seconds, of.most_memory << 20, build())
@@ -219,14 +222,18 @@ def status(counts: dict[str, int], faults: bool, strict: bool) -> int:
 def main(given: Optional[Sequence[str]] = None) -> int:
     words = list(sys.argv[1:] if given is None else given)
     texts.choose(words)
-    of = arguments(words)
+    of = argparse.Namespace()
     try:
+        if words[:1] == ['cut']:
+            from .cut import cut
+            return cut(words[1:], Stop())
+        of = arguments(words)
         if of.command in ('check', 'run', 'convert'):
             return work(of)
         from . import shown
         return shown.SHOW[of.command](of)
     except (Wrong, WrongFile, CannotWork, OSError, ValueError) as error:
-        print(f'kadr-archive: {error}', file=sys.stderr)
+        print(f'kadr-archive: {texts.reason(error)}', file=sys.stderr)
         return WRONG
     except kadr.Error as error:   # a fault in a .kadr.toml
         print(f'kadr-archive: {error}', file=sys.stderr)

@@ -14,6 +14,7 @@ from typing import Callable, Iterator, NamedTuple, Optional, Union
 
 from kadr import _kadr
 
+from . import texts
 from .store import Store
 
 MOST_BYTES = 256 << 20    # a longer file is no part program that a control could load
@@ -115,7 +116,7 @@ class Folder:
                             of = at.stat()
                             entries.append(Entry(as_text(at.name), of.st_size, stamp_of(of), lambda path=at.path: Path(path).read_bytes()))
             except OSError as error:
-                self.faults.append(str(error))
+                self.faults.append(texts.reason(error))
                 self.lost.append(folder)
                 continue
             waiting += sorted(below, reverse=True)
@@ -196,7 +197,7 @@ class List:
                 if not stat.S_ISREG(of.st_mode):
                     raise OSError(f'{path}: no regular file')
             except OSError as error:
-                self.faults.append(str(error))
+                self.faults.append(texts.reason(error))
                 continue
             by_folder.setdefault(as_text(f'{folder}/' if folder else ''), []).append(Entry(as_text(name), of.st_size, stamp_of(of), path.read_bytes))
         yield from sorted(by_folder.items())
@@ -303,7 +304,7 @@ class Scan:
                 raise OSError(WHY_LONG)
             content = entry.read()
         except OSError as error:
-            return Content(entry.size, 0, None, str(error), asked)
+            return Content(entry.size, 0, None, texts.reason(error), asked)
         stamp = 0 if entry.stamp > time.time_ns() - FRESH_NS or len(content) != entry.size else entry.stamp
         return Content(len(content), stamp, digest(content), None, asked)
 

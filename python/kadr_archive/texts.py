@@ -1,7 +1,9 @@
 """What people read on the terminal and in the report, in English and Russian."""
 from __future__ import annotations
 
+import difflib
 import os
+from typing import Iterable
 
 LANGUAGE = 'en'
 ALL: dict[str, tuple[str, str]] = {
@@ -9,6 +11,13 @@ ALL: dict[str, tuple[str, str]] = {
     'check_help': ('checks all programs as kadr check does', 'проверяет все программы, как kadr check'),
     'run_help': ('runs all programs as kadr run does: times, tools, extents', 'исполняет все программы, как kadr run: времена, инструменты, габариты'),
     'convert_help': ('converts all programs as kadr convert does, with proof', 'переводит все программы, как kadr convert, с доказательством'),
+    'cut_help': ('cuts a program as kadr cut does, by windows in several processes', 'обрабатывает по УП заготовку, как kadr cut, по окнам в нескольких процессах'),
+    'cut_others': ('All other options are those of kadr cut.', 'Остальные ключи — те же, что у kadr cut.'),
+    'windows': ('into how many windows the blank is divided; default: two for each worker', 'на сколько окон делится заготовка; по умолчанию два на процесс'),
+    'temporary': ('folder for the files of the windows, seen by all workers; default: that of --out', 'папка для файлов окон, видимая всем узлам; по умолчанию папка --out'),
+    'window_limits': ('--windows and --workers are above 0', '--windows и --workers больше 0'),
+    'window_killed': ('kadr-archive: the process of window {} of {} was killed twice: too little memory?', 'kadr-archive: процесс окна {} из {} убит дважды: мало памяти?'),
+    'cut_interrupted': ('kadr-archive: interrupted; nothing is kept', 'kadr-archive: прервано; ничего не сохранено'),
     'diff_help': ('compares two states of the archive', 'сравнивает два состояния архива'),
     'report_help': ('writes a report in HTML', 'пишет отчёт в HTML'),
     'csv_help': ('writes results as CSV', 'пишет результаты в CSV'),
@@ -40,6 +49,8 @@ ALL: dict[str, tuple[str, str]] = {
     'lang': ('language of messages and of the report', 'язык сообщений и отчёта'),
     'no_control': ('{}: no control has this id', '{}: нет УЧПУ с таким именем'),
     'no_machine': ('{}: no machine has this id', '{}: нет станка с таким именем'),
+    'meant': ('meant: {}?', 'может быть, {}?'),
+    'no_json': ('{}: no JSON: {}', '{}: не JSON: {}'),
     'limits': ('--workers, --most-seconds and --most-memory are above 0', '--workers, --most-seconds и --most-memory больше 0'),
     'interrupted': ('kadr-archive: interrupted; what is done is kept, and the next run goes on from there',
                     'kadr-archive: прервано; сделанное сохранено, следующий прогон продолжит'),
@@ -100,6 +111,7 @@ ALL: dict[str, tuple[str, str]] = {
     'bar_check': ('checking', 'проверка'),
     'bar_run': ('running', 'исполнение'),
     'bar_convert': ('converting', 'перевод'),
+    'bar_cut': ('cutting', 'обработка'),
     'bar_pages': ('pages', 'страницы'),
 }
 
@@ -115,6 +127,18 @@ def choose(words: list[str]) -> None:
 def state(name: str, what: str) -> str:
     """Returns the words for the state of a result of `check`, `run` or `convert`."""
     return of(f'{name}_{what}' if f'{name}_{what}' in ALL else name)
+
+
+def reason(error: BaseException) -> str:
+    """Returns the sentence about an error: of the operating system without its number, the file first."""
+    name, text = getattr(error, 'filename', None), getattr(error, 'strerror', None)
+    return f'{os.fsdecode(name)}: {text[0].lower()}{text[1:]}' if name and text else str(error)
+
+
+def like(wrong: str, right: Iterable[str]) -> str:
+    """Returns the right word that a wrong one resembles, in brackets; empty if it resembles none."""
+    near = difflib.get_close_matches(wrong, list(right), 1)
+    return f' ({of("meant").format(near[0])})' if near else ''
 
 
 def of(key: str) -> str:

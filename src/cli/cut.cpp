@@ -8,6 +8,7 @@
 #include "cli/cut_guess.h"
 #include "cli/cut_job.h"
 #include "cli/cut_meshes.h"
+#include "cli/cut_portion.h"
 #include "cli/cut_turned.h"
 #include "cli/job/drive.h"
 #include "cli/job/found.h"
@@ -53,6 +54,7 @@ Outputs outputs_of(const CutOptions& options, const Job& job) {
   for (const std::string& body : options.fixtures) outputs.reads(body);
   outputs.reads(options.stock);
   outputs.reads(options.part);
+  for (const std::string& portion : options.join) outputs.reads(portion);
   return outputs;
 }
 
@@ -90,7 +92,9 @@ tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, 
 }
 
 bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Cut& cut, CutResult& result) {
-  if (!write_meshes(options, outputs, cut.surface, cut.held, cut.run.cutting(), result) || interrupted()) return false;
+  const bool joined = !options.join.empty();  // then the surface is written already
+  if (!joined && !write_meshes(options, outputs, cut.surface, cut.held, cut.run.cutting(), result)) return false;
+  if (interrupted()) return false;
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
     write_data(file, cut_json(result, cut.run.alarms(), cut.run.warnings()).dump() + "\n");
   if (const auto drawn = draw(options, job, outputs, cut, result); !drawn) {
@@ -110,27 +114,46 @@ bool can_write(const CutOptions& options) {
   return fault.empty();
 }
 
-/// Prints the results of the cut, compares the part with the target part, and writes the output files. To be called after the execution of
-/// the program. Returns the exit status.
-int print_results(const CutOptions& options, const Job& job, const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part,
-                  Outputs& outputs) {
-  const Stock* const window = run.cutting().window();
-  const Stock& stock = window != nullptr ? *window : run.cutting().stock();
-  Surface surface = surface_of(run.cutting().stock());
-  Surface of_window = window != nullptr ? surface_of(*window) : Surface();
-  CutResult result = run.named(cut_figures(run.cutting(), cut_job, surface, window != nullptr ? &of_window : nullptr));
-  if (window != nullptr) surface = std::move(of_window);
+/// What the cut and the comparison with the target part have found.
+struct Measured {
+  const Stock& stock;
+  Surface surface;
   PartComparison held;
-  if (part) {
-    held = compare_with_part(cut_job, stock, surface, *part);
-    result.part = run.part_result(held);
-    result.part->allow = options.allow >= 0 ? options.allow : allowed + allowed_of_cell * stock.lattice().cell();
+  CutResult result;
+};
+
+/// Measures the remaining stock, and compares it with the target part.
+Measured measured(const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part) {
+  const Stock* const window = run.cutting().window();
+  Measured all{window != nullptr ? *window : run.cutting().stock(), surface_of(run.cutting().stock()), {}, {}};
+  Surface of_window = window != nullptr ? surface_of(*window) : Surface();
+  all.result = cut_figures(run.cutting(), cut_job, all.surface, window != nullptr ? &of_window : nullptr);
+  if (window != nullptr) all.surface = std::move(of_window);
+  if (part) all.held = compare_with_part(cut_job, all.stock, all.surface, *part);
+  return all;
+}
+
+/// Joins what the portions have measured. If an error occurs, it is printed and the function returns nullopt.
+std::optional<Measured> joined(const CutOptions& options, const CutJob& cut_job, const CutRun& run, const Outputs& outputs,
+                               PortionInputs& portions) {
+  auto joined = portions.join(options, outputs, run.cutting());
+  if (!joined) return std::nullopt;
+  return Measured{run.cutting().stock(), {}, std::move(joined->held), joined_figures(run.cutting(), cut_job, joined->surface)};
+}
+
+/// Prints the results of the cut and writes the output files. To be called after the execution of the program. Returns the exit status.
+int print_results(const CutOptions& options, const Job& job, const CutRun& run, Measured all, Outputs& outputs) {
+  CutResult result = run.named(std::move(all.result));
+  if (!options.part.empty()) {
+    result.part = run.part_result(all.held);
+    result.part->allow = options.allow >= 0 ? options.allow : allowed + allowed_of_cell * all.stock.lattice().cell();
     if (options.allow_left >= 0) result.part->allow_left = options.allow_left;
   }
   if (interrupted()) return interrupted_status();
   erase_bar();
   if (const std::string note = too_coarse_message(result, language(options.run)); !note.empty()) write_message(note + "\n");
-  if (!write_results(options, job, outputs, {surface, held, run, stock}, result)) return interrupted() ? interrupted_status() : wrong_usage;
+  if (!write_results(options, job, outputs, {all.surface, all.held, run, all.stock}, result))
+    return interrupted() ? interrupted_status() : wrong_usage;
   const bool part_is_wrong = result.part && (result.part->is_gouged() || result.part->is_left_on());
   return run.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
 }
@@ -176,7 +199,7 @@ int cut(const CutOptions& given) {
   CutOptions options = given;
   CutJob cut_job;
   std::optional<Mesh> part;
-  if (!can_write(options)) return wrong_usage;
+  if (!can_write(options) || !portion_options_fit(options)) return wrong_usage;
   auto job = make_job(options.run, options.run.programs.front());
   if (job) take_setup_blank(options, *job);
   const auto plan =
@@ -190,21 +213,28 @@ int cut(const CutOptions& given) {
   const auto session = make_session(*job, std::move(*program), options.run.limits);
   if (!session) return wrong_usage;
   take_session(*session, job->stated.count("start") != 0, cut_job);
-  const auto watch = watch_of(options, *session, cut_job);
+  const bool is_portion = !options.portion.empty();
+  const auto watch = is_portion ? std::optional(std::unique_ptr<MachineWatch>()) : watch_of(options, *session, cut_job);
   if (!watch || !outputs.open()) return wrong_usage;
+  const auto portion = is_portion ? std::make_unique<PortionOutput>(options, outputs, cut_job) : nullptr;
+  const auto portions = options.join.empty() ? nullptr : PortionInputs::open(options, cut_job);
+  if (!options.join.empty() && !portions) return wrong_usage;
   session->control().watch_calls();
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(drive.get(), [](Drive* left) { left->leave(); });
   if (const auto nothing = drive->begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
   if (plan->turned) return cut_turned({options, *job, cut_job, *session, *drive, outputs, *plan, watch->get()});
   CutRun run(*session, cut_job, watch->get());
   Found found(job->texts(), language(options.run), stderr, options.run.every);
-  print_to_terminal(found, outputs.stream("--blocks"), run);
+  if (!is_portion) print_to_terminal(found, outputs.stream("--blocks"), run);  // the process that joins the portions reports
   Progress progress(options.run.quiet);
   run.attach(options.run.limits.stop, &progress);
   drive->execute(*session);
   if (!interrupted()) run.finish();
   found.finish();
-  return interrupted() ? interrupted_status() : print_results(options, *job, cut_job, run, part, outputs);
+  if (interrupted()) return interrupted_status();
+  if (portion) return portion->finish(cut_job, run.cutting(), part, outputs);
+  auto all = portions ? joined(options, cut_job, run, outputs, *portions) : std::optional(measured(cut_job, run, part));
+  return all ? print_results(options, *job, run, std::move(*all), outputs) : wrong_usage;
 }
 
 }  // namespace kadr::cli

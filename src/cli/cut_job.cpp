@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cli/cut_guess.h"
+#include "cli/cut_portion.h"
 #include "cli/job/terminal.h"
 #include "config/setup/setup_names.h"
 #include "session/cutting/cut_cells.h"
@@ -77,7 +78,7 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
   if (job.blank->overlaps()) write_message(translated(texts::cut_command::bodies_overlap, options.stock) + "\n");
   for (const std::string& text : options.fixtures)
     if (!job.fixtures.emplace_back(named_body("--fixture", text, most))) return false;
-  if (!find_lattices(options, part, most, job)) return false;
+  if (!find_lattices(options, part, most, job) || !find_bricks(options, job)) return false;
   const double bytes = bytes_of_material(job, nullptr), with_part = bytes_of_material(job, part ? &*part : nullptr);
   if (with_part <= most) return true;
   if (bytes > most) complain(translated(texts::cut_command::material_too_large, bytes / bytes_per_mb));

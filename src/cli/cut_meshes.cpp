@@ -24,10 +24,6 @@ constexpr double bytes_of_surface = 20;  // number of bytes that a triangle of t
 
 bool has_ending(const std::string& name, std::string_view ending) { return in_small_letters(name).ends_with(ending); }
 
-ByteSink sink_of(std::FILE* file) {
-  return [file](std::string_view bytes) { return std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(); };
-}
-
 /// Simplifies the mesh of the surface and writes it to the file. Prints an error and returns false if the mesh cannot be written, or if
 /// simplification needs more memory than --max-memory permits.
 bool write_simplified(const CutOptions& options, const Surface& surface, const Cutting& cutting, std::FILE* file, CutResult& result) {
@@ -44,6 +40,10 @@ bool write_simplified(const CutOptions& options, const Surface& surface, const C
 
 }  // namespace
 
+ByteSink sink_of(std::FILE* file) {
+  return [file](std::string_view bytes) { return std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(); };
+}
+
 bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
   const std::string fault = has_ending(name, ".3mf")         ? write_3mf(mesh, sink_of(file))
                             : write_stl(mesh, sink_of(file)) ? std::string()
@@ -53,7 +53,8 @@ bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
 }
 
 bool can_write_meshes(const CutOptions& options) {
-  if (!options.out.empty() && options.out != "-" && !has_ending(options.out, ".3mf") && !has_ending(options.out, ".stl")) {
+  if (options.portion.empty() && !options.out.empty() && options.out != "-" && !has_ending(options.out, ".3mf") &&
+      !has_ending(options.out, ".stl")) {
     complain(translated(texts::cut_command::out_is_no_mesh, options.out));
     return false;
   }

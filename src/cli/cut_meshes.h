@@ -8,10 +8,14 @@
 #include "cli/options/options.h"
 #include "session/cutting/cutting.h"
 #include "stock/cut_result.h"
+#include "stock/mesh/byte_sink.h"
 #include "stock/part/part_compare.h"
 #include "stock/surface/surface.h"
 
 namespace kadr::cli {
+
+/// Returns a sink that writes to the open file.
+ByteSink sink_of(std::FILE* file);
 
 /// True if the meshes can be written in the formats that the file names select. Prints an error otherwise.
 bool can_write_meshes(const CutOptions& options);

@@ -30,6 +30,8 @@ double bytes_of_bricks(const Box3& box, double cell) {
   return count * double(sizeof(Brick) + 64);  // 64 is the memory in bytes of the entries of one brick in the tables of the stock.
 }
 
+double bytes_of_bricks(const Lattice& lattice) { return double(lattice.size()) * double(sizeof(Brick) + 64); }
+
 double cell_for(const Box3& box, double max_bytes, double finest) {
   const Vec3 size = box.most - box.least;
   const double longest = std::max({size.x, size.y, size.z});

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 
 #include "base/thread.h"
+#include "stock/portion/portion.h"
+#include "stock/portion/sweep_touches.h"
 
 namespace kadr {
 namespace {
@@ -70,8 +71,15 @@ AroundTip around_tip(const ToolShape& tool) {
 
 }  // namespace
 
-Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
-    : blank_(std::move(blank)), lattice_(blank_->box(), cell), scale_(cell), bend_cell_(cell), threads_(std::max(threads, 1)) {
+Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads, const std::optional<BrickBox>& own)
+    : blank_(std::move(blank)),
+      lattice_(blank_->box(), cell),
+      own_(own.value_or(lattice_.held())),
+      is_portion_(own.has_value()),
+      scale_(cell),
+      bend_cell_(cell),
+      threads_(std::max(threads, 1)) {
+  if (own) lattice_ = lattice_.held_only(with_neighbours(*own, lattice_.held()));
   bricks_.resize(lattice_.size());
   states_.resize(lattice_.size());
   bins_.resize(lattice_.size());
@@ -164,8 +172,8 @@ void Stock::bin(std::size_t first, std::size_t last) {
       for (int d = 0; d < 3; ++d) {
         const double below = d == 2 ? body.bottom() : -body.widest(), above = d == 2 ? body.top() : body.widest();
         const double least = double(std::min(s.from[d], s.to[d])) + below, most = double(std::max(s.from[d], s.to[d])) + above;
-        low[d] = int(std::floor(std::max(least / lattice_.edge(), 0.0)));
-        high[d] = int(std::floor(std::min(most / lattice_.edge(), double(lattice_.bricks(d) - 1))));
+        low[d] = int(std::floor(std::max(least / lattice_.edge(), double(lattice_.first(d)))));
+        high[d] = int(std::floor(std::min(most / lattice_.edge(), double(lattice_.last(d)))));
       }
       for (int z = low[2]; z <= high[2]; ++z)
         for (int y = low[1]; y <= high[1]; ++y)
@@ -232,10 +240,11 @@ void Stock::settle(BrickNow now) const {
 
 void Stock::cut_in(std::size_t b, Worker& worker) {
   const BrickNow now{bricks_[b], states_[b]};
+  Worker* const counting = own_.holds(lattice_.place(b)) ? &worker : nullptr;  // the neighbours of a portion count in their own portions
   for (const std::int32_t number : bins_[b]) {
     if (now.state == State::empty) break;
     const bool was_full = now.state == State::full;
-    if (!execute(number, b, now, &worker) || !past_) continue;
+    if (!execute(number, b, now, counting) || !past_) continue;
     if (was_full) past_->of_brick[b].was_full = true;
     past_->add(b, number, now.brick.get());
   }
@@ -261,21 +270,8 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
   done_ = sweeps_.size();
   std::vector<Touch> touches;
   for (Worker& w : workers) touches.insert(touches.end(), w.touches.begin(), w.touches.end());
-  const auto key = [](const Touch& t) {
-    return std::tuple(t.sweep, t.part, t.around.least.z, t.around.least.y, t.around.least.x, t.volume);
-  };
-  std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
-  std::vector<Touch> together;
-  for (const Touch& t : touches) {
-    if (together.empty() || together.back().sweep != t.sweep || together.back().part != t.part) {
-      together.push_back(t);
-      continue;
-    }
-    Touch& all = together.back();
-    all.around.include(t.around);
-    all.volume += t.volume;
-  }
-  return together;
+  if (is_portion_) touches_ = touches;
+  return one_for_each_sweep(std::move(touches));
 }
 
 double Stock::removed_by(std::size_t sweep) const {

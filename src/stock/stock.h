@@ -17,6 +17,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/stop_token.h"
@@ -61,6 +62,14 @@ struct TiltedSweepInBrick {
   LocalSweep tip;
 };
 
+/// What a sweep removed: the length from lattice lines along Z, in units of Stock::cut()'s count, the greatest height above the tip and the
+/// longest interval of any line, mm.
+struct SweepRemoval {
+  std::uint32_t sweep;
+  float depth, longest;
+  std::int64_t length;
+};
+
 /// A removal of material that must be reported: a part of the tool removed material that this part must not remove.
 struct Touch {
   std::uint32_t sweep;
@@ -70,12 +79,19 @@ struct Touch {
   bool rings = false;  // true if a turning tool removed the material
 };
 
+/// What the bricks of a portion contribute to one call of Stock::cut().
+struct PortionCut {
+  std::vector<SweepRemoval> removed;  // in the order of the sweeps
+  std::vector<Touch> touches;         // one for each brick, sweep and tool part
+};
+
 class Stock {
  public:
   enum class State : std::uint8_t { empty, full, mixed };
 
-  /// `threads` is the number of threads that cut in parallel, at least 1.
-  Stock(std::shared_ptr<const Blank> blank, double cell, int threads);
+  /// `threads` is the number of threads that cut in parallel, at least 1. `own`: the bricks of a portion (stock/portion/portion.h), of
+  /// which the stock holds these and their neighbours; nullopt: all bricks.
+  Stock(std::shared_ptr<const Blank> blank, double cell, int threads, const std::optional<BrickBox>& own = std::nullopt);
 
   std::uint16_t add_tool(const ToolShape& shape);
   /// Adds a sweep, which the next cut() executes. A sweep in which the tool turns far is stored as several sweeps.
@@ -85,6 +101,13 @@ class Stock {
   /// Executes the sweeps added since the last call. A removal that is shorter than least_piece() on every lattice line is not reported.
   ///   returns  the touches to report, in the order of the sweeps
   std::vector<Touch> cut(const StopToken& stop = {});
+  /// Returns what the own bricks of a portion contribute to the last cut().
+  PortionCut portion_cut() const;
+  /// Adds to the last cut() of a stock without bricks what the portions have removed.
+  ///   returns  the touches to report, as cut() of a stock with all bricks
+  std::vector<Touch> add_portions(const std::vector<PortionCut>& portions);
+  /// Returns a number that depends on all sweeps and tools: processes with the same number have cut with the same paths.
+  std::uint64_t fingerprint() const;
   /// Sets the cell size that decides how the paths of tilted tools are divided, so that stocks with different cells store the same sweeps.
   /// Must be called before the first add().
   void divide_as(double cell) { bend_cell_ = cell; }
@@ -109,6 +132,9 @@ class Stock {
 
   // ---- the remaining stock
   const Lattice& lattice() const { return lattice_; }
+  /// Returns the bricks of which the result is wanted: of a portion its own ones, else all.
+  const BrickBox& own() const { return own_; }
+  bool is_portion() const { return is_portion_; }
   const Blank& blank() const { return *blank_; }
   State state(std::size_t brick) const { return states_[brick]; }
   /// Returns a brick; nullptr if the brick is empty or full.
@@ -182,6 +208,8 @@ class Stock {
 
   std::shared_ptr<const Blank> blank_;
   Lattice lattice_;
+  BrickBox own_;
+  bool is_portion_ = false;
   BrickScale scale_;
   double bend_cell_;  // cell size in mm that decides how the paths of tilted tools are divided; see divide_as()
   int threads_;
@@ -202,6 +230,7 @@ class Stock {
   std::vector<std::size_t> touched_;
   std::unique_ptr<Past> past_;
   std::vector<Removed> removed_;  // what each sweep of the last cut() removed
+  std::vector<Touch> touches_;    // touches of the last cut(), one for each brick; only of a portion
 };
 
 }  // namespace kadr

@@ -117,8 +117,8 @@ void Stock::bin_tilted(std::size_t i) {
     const Box3 box = box_around(path, heights.low, heights.high, heights.radius);
     int low[3], high[3];
     for (int d = 0; d < 3; ++d) {
-      low[d] = int(std::floor(std::max(along(box.least, d) / edge, 0.0)));
-      high[d] = int(std::floor(std::min(along(box.most, d) / edge, double(lattice_.bricks(d) - 1))));
+      low[d] = int(std::floor(std::max(along(box.least, d) / edge, double(lattice_.first(d)))));
+      high[d] = int(std::floor(std::min(along(box.most, d) / edge, double(lattice_.last(d)))));
     }
     for (int z = low[2]; z <= high[2]; ++z)
       for (int y = low[1]; y <= high[1]; ++y)

@@ -55,13 +55,13 @@ void Stock::bin_turned(std::size_t sweep) {
   for (const InsertBody& body : tools_[s.tool].insert) {
     const RingSweep ring(body, point_of(s.from), point_of(s.to));
     const RingRange heights = ring.heights();
-    const int low = int(std::floor(std::max(heights.from / edge, 0.0)));
-    const int high = int(std::floor(std::min(heights.to / edge, double(lattice_.bricks(2) - 1))));
+    const int low = int(std::floor(std::max(heights.from / edge, double(lattice_.first(2)))));
+    const int high = int(std::floor(std::min(heights.to / edge, double(lattice_.last(2)))));
     for (int z = low; z <= high; ++z) {
       const RingRange radii = folded(ring.between(z * edge, (z + 1) * edge));
       if (radii.none()) continue;
-      for (int y = 0; y < lattice_.bricks(1); ++y)
-        for (int x = 0; x < lattice_.bricks(0); ++x) {
+      for (int y = lattice_.first(1); y <= lattice_.last(1); ++y)
+        for (int x = lattice_.first(0); x <= lattice_.last(0); ++x) {
           const BrickRing own = brick_ring(lattice_.origin().x + x * edge, lattice_.origin().y + y * edge, edge);
           if (own.nearest <= radii.to && own.farthest >= radii.from) put_in_bin(lattice_.at({x, y, z}), sweep);
         }

@@ -34,6 +34,11 @@ void window_options(CLI::App& app, CutOptions& o) {
   whole_number(app.add_option("--threads", o.threads, translated(texts::cut_options::threads)), 1, max_threads);
 }
 
+void portion_options(CLI::App& app, CutOptions& o) {
+  takes(app.add_option("--portion", o.portion, translated(texts::cut_options::portion)), "K/N");
+  takes_file(app.add_option("--join", o.join, translated(texts::cut_options::join)));
+}
+
 }  // namespace
 
 std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& o) {
@@ -58,6 +63,7 @@ void add_cut(CLI::App& app, Commands& c) {
   part_options(*cut, o);
   cell_option(*cut, o);
   window_options(*cut, o);
+  portion_options(*cut, o);
   takes(cut->add_option("--until", o.until, translated(texts::cut_options::until)), translated(texts::cut_options::line_or_seconds))
       ->check(
           CLI::Validator([](const std::string& text) { return text.empty() ? translated(texts::cut_options::until_is_empty) : ""; }, ""));

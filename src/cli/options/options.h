@@ -78,17 +78,19 @@ struct CutOptions {
   std::string stock, tools;  // blank: description of a solid, or `guess`; tools: name of the tools file, or `guess`
   double resolution = 0;     // cell size of the stock, mm; 0: chosen automatically
   std::vector<std::string> fixtures;
-  std::string stock_zero;    // name of the blank's work offset; empty: that of the first motion at feed
-  std::string until;         // LINE, or SECONDS followed by s, at which cutting ends; empty: the end of the program
-  double max_memory = 1000;  // memory limit, MB
-  int threads = 0;           // number of threads; 0: the number of processor cores
-  bool coolant = false;      // true: cuts without coolant are reported
-  std::string part;          // file of the target part; empty: the result is not compared
-  double allow = -1;         // permitted depth of a gouge, mm; less than 0: the default
-  double allow_left = -1;    // permitted thickness of remaining stock, mm; less than 0: unlimited
-  std::string window;        // box that is cut with finer cells, X0,Y0,Z0,X1,Y1,Z1 in mm; empty: no window
-  std::string deviation;     // output file of the deviations, which ends in .ply
-  double simplify = 0;       // tolerance for simplifying the mesh of --out, mm; 0: the mesh is not simplified
+  std::string stock_zero;         // name of the blank's work offset; empty: that of the first motion at feed
+  std::string until;              // LINE, or SECONDS followed by s, at which cutting ends; empty: the end of the program
+  double max_memory = 1000;       // memory limit, MB
+  int threads = 0;                // number of threads; 0: the number of processor cores
+  bool coolant = false;           // true: cuts without coolant are reported
+  std::string part;               // file of the target part; empty: the result is not compared
+  double allow = -1;              // permitted depth of a gouge, mm; less than 0: the default
+  double allow_left = -1;         // permitted thickness of remaining stock, mm; less than 0: unlimited
+  std::string window;             // box that is cut with finer cells, X0,Y0,Z0,X1,Y1,Z1 in mm; empty: no window
+  std::string portion;            // "2/4": the portion of the bricks that this process cuts into the file `out`; empty: it cuts all
+  std::vector<std::string> join;  // files of portions that this process joins
+  std::string deviation;          // output file of the deviations, which ends in .ply
+  double simplify = 0;            // tolerance for simplifying the mesh of --out, mm; 0: the mesh is not simplified
   std::string out, json;
   std::string blocks;  // output file of the table that states what each block removes
 };

@@ -7,6 +7,7 @@
 
 #include "stock/blank/blank_window.h"
 #include "stock/mesh/mesh_within.h"
+#include "stock/portion/portion.h"
 #include "stock/size.h"
 
 namespace kadr {
@@ -28,12 +29,16 @@ double finest_of(const ToolLibrary& tools) {
   return finest;
 }
 
+bool is_box(const Blank& blank) {
+  constexpr double same_volume = 1e-9;
+  const Vec3 size = blank.box().most - blank.box().least;
+  return std::fabs(blank.volume() - size.x * size.y * size.z) <= same_volume * blank.volume();
+}
+
 /// Returns the triangles of the remaining stock's surface whose position may be inexact. If the blank is a box, these are the triangles
 /// that tools have cut, since the uncut faces of a box are exact.
 Mesh uncertain_part(const Surface& surface, const Blank& blank) {
-  constexpr double same_volume = 1e-9;
-  const Vec3 size = blank.box().most - blank.box().least;
-  if (std::fabs(blank.volume() - size.x * size.y * size.z) > same_volume * blank.volume()) return surface;
+  if (!is_box(blank)) return surface;
   Mesh cut;
   cut.points = surface.points;
   for (std::size_t t = 0; t < surface.triangles.size(); t += 3)
@@ -53,6 +58,11 @@ std::vector<std::uint32_t> tools_finer_than_cells(const Stock& stock) {
 }
 
 }  // namespace
+
+Lattice held_bricks(const CutJob& job) {
+  const Lattice whole(job.blank->box(), job.cell);
+  return job.bricks ? whole.held_only(with_neighbours(*job.bricks, whole.held())) : whole;
+}
 
 double bytes_of_meshes(const CutJob& job) {
   double bytes = double(job.blank->bytes());
@@ -76,13 +86,13 @@ bool find_cells(double resolution, const std::optional<Box3>& window, double max
 }
 
 double bytes_of_material(const CutJob& job, const Mesh* held) {
-  double bytes = bytes_of_meshes(job) + bytes_of_bricks(job.blank->box(), job.cell);
+  double bytes = bytes_of_meshes(job) + bytes_of_bricks(held_bricks(job));
   for (const auto& fixture : job.fixtures) bytes += bytes_of_bricks(fixture->box(), job.cell);
   if (job.window) bytes += bytes_of_bricks(job.window->box(), job.window_cell);
   if (job.seen_cell > 0) bytes += bytes_of_bricks(job.blank->box(), job.seen_cell) + double(job.past_bytes);
   if (held == nullptr) return bytes;
   return bytes + (job.window ? bytes_of_comparison(job.window->box(), job.window_cell, *held, ComparedPart::window)
-                             : bytes_of_comparison(job.blank->box(), job.cell, *held, ComparedPart::whole));
+                             : bytes_of_comparison(job.blank->box(), job.cell, *held, ComparedPart::whole, job.bricks));
 }
 
 bool part_meets_window(const CutJob& job, const Mesh& part) {
@@ -97,6 +107,12 @@ PartComparison compare_with_part(const CutJob& job, const Stock& stock, const Su
   if (!job.window) return compare(stock, surface, part);
   const WindowFaces faces(job.window->box(), job.blank->box());
   return compare(stock, surface, part, &faces);
+}
+
+CutResult joined_figures(const Cutting& cutting, const CutJob& job, const JoinedSurface& whole) {
+  CutResult result = cutting.result(whole.volume, share_of_cell * job.cell * (is_box(*job.blank) ? whole.cut_area : whole.area));
+  result.finer_than_cell = tools_finer_than_cells(cutting.stock());
+  return result;
 }
 
 CutResult cut_figures(const Cutting& cutting, const CutJob& job, const Surface& whole, const Surface* window) {

@@ -5,6 +5,7 @@
 
 #include "session/cutting/cutting.h"
 #include "stock/part/part_compare.h"
+#include "stock/portion/joined_surface.h"
 #include "stock/surface/surface.h"
 
 namespace kadr {
@@ -32,5 +33,11 @@ PartComparison compare_with_part(const CutJob& job, const Stock& stock, const Su
 /// Computes the results of the cut, including the volumes that the surfaces enclose. `whole`, `window`: surfaces of the remaining stock in
 /// the whole blank and in the window; nullptr: no window.
 CutResult cut_figures(const Cutting& cutting, const CutJob& job, const Surface& whole, const Surface* window);
+
+/// Computes the same from the surface that portions have together. `cutting` has joined what they removed.
+CutResult joined_figures(const Cutting& cutting, const CutJob& job, const JoinedSurface& whole);
+
+/// Returns the lattice of the blank with the bricks that a process holds in memory.
+Lattice held_bricks(const CutJob& job);
 
 }  // namespace kadr

@@ -46,6 +46,12 @@ struct CutJob {
   double cell = 0.5;                           // cell size of the stock's lattice, mm
   // the part of the blank that is cut again with finer cells, see blank_within(); nullptr: no window
   std::shared_ptr<const Blank> window;
+  // The bricks of a portion, if other processes cut the other bricks (stock/portion/portion.h); no_bricks: of a process that joins the
+  // portions; nullopt: this process cuts all bricks. Only a process without a portion, or one that joins, reports figures and findings.
+  std::optional<BrickBox> bricks;
+  std::function<void(const PortionCut&)> on_portion_cut;  // receives what the portion's bricks contribute to each batch
+  std::function<std::vector<PortionCut>()>
+      portion_cuts;            // returns what the portions contribute to the next batch, for a process that joins
   double window_cell = 0;      // cell size of the window's lattice, mm
   double seen_cell = 0;        // cell size of the coarser stock that can be displayed at any instant, mm; 0: no coarser stock
   std::size_t past_bytes = 0;  // memory, bytes, for earlier states of the coarser stock; see Stock::keep_past()
@@ -97,6 +103,8 @@ class Cutting {
   /// a rapid or that its rate is unknown. The last sweeps may be missing.
   const std::vector<float>& rates() const { return rate_of_sweep_; }
   const Stock& stock() const { return stock_; }
+  /// True if a turning tool has cut a thread. The crest of a thread is measured in the whole stock, which no portion has.
+  bool has_threads() const { return !threads_.empty(); }
   /// Returns the stock of the window, whose sweeps have the same numbers; nullptr if there is no window.
   const Stock* window() const { return window_.get(); }
   /// Returns the coarser stock (CutJob::seen_cell), which can display its past and whose sweeps have the same numbers; nullptr if there is

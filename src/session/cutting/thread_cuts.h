@@ -25,6 +25,7 @@ struct ThreadPass {
 class ThreadCuts {
  public:
   void add(const ThreadPass& pass, const ToolShape& tool);
+  bool empty() const { return threads_.empty(); }
   /// Returns the threads, with crest radii (mm) measured on the present stock.
   std::vector<ThreadCut> found_in(const Stock& stock) const;
   /// The same for a stock of any kind. `radii_at`: returns the least and the greatest radius of the material at a Z, mm; nullopt where no

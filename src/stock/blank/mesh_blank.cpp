@@ -133,8 +133,8 @@ std::vector<bool> MeshBlank::bricks_at_surface(const Lattice& lattice) const {
     int low[3], high[3];
     for (int d = 0; d < 3; ++d) {
       const double least = std::min({along(a, d), along(b, d), along(c, d)}), most = std::max({along(a, d), along(b, d), along(c, d)});
-      low[d] = std::max(0, int(std::floor((least - hair - along(lattice.origin(), d)) / lattice.edge())));
-      high[d] = std::min(lattice.bricks(d) - 1, int(std::floor((most + hair - along(lattice.origin(), d)) / lattice.edge())));
+      low[d] = std::max(lattice.first(d), int(std::floor((least - hair - along(lattice.origin(), d)) / lattice.edge())));
+      high[d] = std::min(lattice.last(d), int(std::floor((most + hair - along(lattice.origin(), d)) / lattice.edge())));
     }
     for (int z = low[2]; z <= high[2]; ++z)
       for (int y = low[1]; y <= high[1]; ++y)

@@ -7,15 +7,18 @@
 #include "base/matrix.h"
 
 namespace kadr {
+
+void VolumeSum::add(const Corners& triangle) {
+  const Vec3 a = triangle[0] - middle_, b = triangle[1] - middle_, c = triangle[2] - middle_;
+  six_ += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+}
+
+double area_of(const Corners& triangle) { return length(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2; }
+
 double volume_of(const Mesh& mesh) {
-  // Reference point of the mesh itself: with the origin, which may be far away, more digits would be lost.
-  const Vec3 middle = mesh.points.empty() ? Vec3{} : mesh.point(0);
-  double six = 0;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const Vec3 a = mesh.corner(t, 0) - middle, b = mesh.corner(t, 1) - middle, c = mesh.corner(t, 2) - middle;
-    six += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
-  }
-  return six / 6;
+  VolumeSum sum(mesh.points.empty() ? Vec3{} : mesh.point(0));
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) sum.add(mesh.corners(t));
+  return sum.volume();
 }
 
 Box3 box_of(const Mesh& mesh) {
@@ -32,8 +35,7 @@ Box3 box_of(const Mesh& mesh) {
 
 double area_of(const Mesh& mesh) {
   double sum = 0;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-    sum += length(cross(mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0))) / 2;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) sum += area_of(mesh.corners(t));
   return sum;
 }
 

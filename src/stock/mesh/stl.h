@@ -1,6 +1,7 @@
 #pragma once
 // Reads and writes STL, binary and text. Lengths are assumed to be in mm, because the format has no unit.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -14,6 +15,23 @@ namespace kadr {
 /// file is computed from the file's length, not read from its header.
 ///   returns  the triangles, or an error sentence that contains the number of the line or triangle
 tl::expected<SolidMesh, std::string> read_stl(std::string_view bytes, const MeshRules& rules);
+
+/// Writes binary STL triangle by triangle, of a mesh that is not in memory.
+class StlWriter {
+ public:
+  StlWriter(ByteSink sink, std::uint32_t triangles);
+  void add(const Corners& triangle);
+  /// To be called after the last triangle.
+  ///   returns  false if the sink refused bytes; the file is then incomplete
+  bool finish();
+
+ private:
+  void flush();
+
+  ByteSink sink_;
+  std::string out_;
+  bool complete_ = true;
+};
 
 /// Writes binary STL. The same mesh always gives the same bytes.
 ///   returns  false if the sink refused bytes; the file is then incomplete

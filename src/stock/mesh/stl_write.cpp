@@ -1,6 +1,5 @@
 // Writes binary STL, for the export of the cut part. Used by cli/cut_meshes.
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -29,22 +28,35 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
+StlWriter::StlWriter(ByteSink sink, std::uint32_t triangles) : sink_(std::move(sink)) {
+  out_ = "binary STL, mm, Kadr";  // this header must not begin with "solid", which readers take as a sign of text STL
+  out_.resize(head_bytes, ' ');
+  put_number(out_, triangles);
+}
+
+void StlWriter::add(const Corners& corners) {
+  const Vec3 normal = unit_normal(corners[0], corners[1], corners[2]);
+  for (const double v : {normal.x, normal.y, normal.z}) put_float(out_, float(v));
+  for (const Vec3& p : corners)
+    for (const double v : {p.x, p.y, p.z}) put_float(out_, float(v));
+  out_.append(2, '\0');
+  if (out_.size() >= triangles_at_once * triangle_bytes) flush();
+}
+
+void StlWriter::flush() {
+  complete_ = complete_ && (out_.empty() || sink_(out_));
+  out_.clear();
+}
+
+bool StlWriter::finish() {
+  flush();
+  return complete_;
+}
+
 bool write_stl(const Mesh& mesh, const ByteSink& sink) {
-  std::string out = "binary STL, mm, Kadr";  // this header must not begin with "solid", which readers take as a sign of text STL
-  out.resize(head_bytes, ' ');
-  put_number(out, std::uint32_t(mesh.triangle_count()));
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const std::array<Vec3, 3> corner{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
-    const Vec3 normal = unit_normal(corner[0], corner[1], corner[2]);
-    for (const double v : {normal.x, normal.y, normal.z}) put_float(out, float(v));
-    for (const Vec3& p : corner)
-      for (const double v : {p.x, p.y, p.z}) put_float(out, float(v));
-    out.append(2, '\0');
-    if (out.size() < triangles_at_once * triangle_bytes) continue;
-    if (!sink(out)) return false;
-    out.clear();
-  }
-  return out.empty() || sink(out);
+  StlWriter writer(sink, std::uint32_t(mesh.triangle_count()));
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) writer.add(mesh.corners(t));
+  return writer.finish();
 }
 
 }  // namespace kadr

@@ -14,6 +14,7 @@
 #include "stock/part/nearest_triangle.h"
 #include "stock/part/part_lines.h"
 #include "stock/part/points_inside.h"
+#include "stock/portion/portion.h"
 
 namespace kadr {
 namespace {
@@ -58,9 +59,11 @@ struct BrickFound {
 struct WiderLattice {
   Lattice lattice;
   BrickPlace stock_at;  // indices of the stock's first brick in the extended lattice
+  BrickBox own;         // the bricks whose differences count: of a portion its own ones, and those beyond them outside the stock
 };
 
-WiderLattice wider_lattice(const Lattice& own, const Box3& blank, const Box3& part) {
+/// Returns the extended lattice. Of a portion it holds the own bricks and their neighbours.
+WiderLattice wider_lattice(const Lattice& own, const Box3& blank, const Box3& part, const std::optional<BrickBox>& portion) {
   const Vec3 size = blank.most - blank.least;
   const double max_excess = std::max({size.x, size.y, size.z});
   Box3 box = blank;
@@ -71,7 +74,15 @@ WiderLattice wider_lattice(const Lattice& own, const Box3& blank, const Box3& pa
     along(box.least, d) -= before[d] * own.edge();
     along(box.most, d) = std::clamp(along(part.most, d), along(blank.most, d), along(blank.most, d) + max_excess);
   }
-  return {Lattice(box, own.cell()), {before[0], before[1], before[2]}};
+  const Lattice whole(box, own.cell());
+  WiderLattice wider{whole, {before[0], before[1], before[2]}, whole.held()};
+  if (!portion) return wider;
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (portion->first[d] > 0) wider.own.first[d] = before[d] + portion->first[d];
+    if (portion->end[d] < own.bricks(int(d))) wider.own.end[d] = before[d] + portion->end[d];
+  }
+  wider.lattice = whole.held_only(with_neighbours(wider.own, whole.held()));
+  return wider;
 }
 
 class PartInComparison {
@@ -82,7 +93,8 @@ class PartInComparison {
         faces_(faces),
         nearest_(part, stock.threads()),
         body_(faces == nullptr ? mesh_blank(part) : blank_within(mesh_blank(part), stock.blank().box())),
-        wider_(wider_lattice(stock.lattice(), stock.blank().box(), body_->box())),
+        wider_(wider_lattice(stock.lattice(), stock.blank().box(), body_->box(),
+                             stock.is_portion() ? std::optional(stock.own()) : std::nullopt)),
         lines_(part, wider_.lattice, faces == nullptr ? std::nullopt : std::optional(body_->box()), stock.threads()),
         part_at_(body_->bricks_at_surface(wider_.lattice)),
         found_(wider_.lattice.size()),
@@ -104,6 +116,8 @@ class PartInComparison {
   float compare_segments(std::size_t brick, bool gouged, Deepest& deepest, Work& work);
   bool walk(const LineSegment& segment, int family, std::size_t brick, Deepest& deepest, Work& work) const;
   std::optional<std::size_t> of_stock(std::size_t brick) const;
+  bool is_own(std::size_t brick) const { return wider_.own.holds(wider_.lattice.place(brick)); }
+  std::uint64_t order_among_portions(std::uint64_t order) const;
 
   const Stock& stock_;
   const Surface& surface_;
@@ -135,7 +149,7 @@ double PartInComparison::depth_around(const Vec3& at, bool inside) const {
   int low[3], high[3];
   for (int d = 0; d < 3; ++d) {
     const double from_origin = along(at, d) - along(lattice.origin(), d);
-    const auto brick = [&](double place) { return std::clamp(int(std::floor(place / lattice.edge())), 0, lattice.bricks(d) - 1); };
+    const auto brick = [&](double place) { return std::clamp(int(std::floor(place / lattice.edge())), lattice.first(d), lattice.last(d)); };
     low[d] = brick(from_origin - lattice.cell()), high[d] = brick(from_origin + lattice.cell());
   }
   float deepest = 0;
@@ -149,7 +163,7 @@ double PartInComparison::depth_around(const Vec3& at, bool inside) const {
 }
 
 void PartInComparison::hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const {
-  const std::size_t last = std::min((chunk + 1) * points_at_once, surface_.point_count());
+  const std::size_t last = std::min((chunk + 1) * points_at_once, surface_.own_points());
   for (std::size_t i = chunk * points_at_once; i < last; ++i) {
     const Vec3 at = surface_.point(i);
     if (faces_ != nullptr && faces_->hold(at)) continue;
@@ -178,7 +192,7 @@ void PartInComparison::hold_brick(std::size_t brick, Work& work) {
   BrickFound& found = found_[brick];
   found.left_on = compare_segments(brick, false, here.left_on, work), found.gouged = compare_segments(brick, true, here.gouged, work);
   found.left_depth = float(here.left_on.depth), found.gouge_depth = float(here.gouged.depth);
-  work.found.take(here);
+  if (is_own(brick)) work.found.take(here);
 }
 
 /// Handles a brick that is either full of material or empty, and that is wholly inside or wholly outside the wanted part. One line of the
@@ -193,7 +207,7 @@ void PartInComparison::hold_evenly(std::size_t brick, bool material, Work& work)
   Deepest here;
   for (std::int32_t line = 0; line < brick_lines; ++line) (void)walk({line, 0, edge, of_blank, of_blank}, 2, brick, here, work);
   (part ? found.gouge_depth : found.left_depth) = float(here.depth);
-  (part ? work.found.gouged : work.found.left_on).take(here);
+  if (is_own(brick)) (part ? work.found.gouged : work.found.left_on).take(here);
 }
 
 /// Computes the volume of the difference in a brick along the direction whose lines contain most of the difference: lines across a thin
@@ -225,11 +239,12 @@ bool PartInComparison::walk(const LineSegment& segment, int family, std::size_t 
   along(at, (family + 1) % 3) += (segment.line % brick_edge + 0.5) * cell;
   along(at, (family + 2) % 3) += (segment.line / brick_edge + 0.5) * cell;
   const double corner = along(at, family);
+  const std::uint64_t number = wider_.lattice.number(wider_.lattice.place(brick));
   const auto depth_at = [&](double place) {
     along(at, family) = corner + place;
     const double depth = nearest_.distance(at, work.hint);
     const std::int32_t by = place - segment.from < segment.to - place ? segment.from_by : segment.to_by;
-    deepest.take({depth, at, by, (std::uint64_t{1} << 63) + brick * brick_lines + std::uint64_t(segment.line)});
+    deepest.take({depth, at, by, (std::uint64_t{1} << 63) + number * brick_lines + std::uint64_t(segment.line)});
     return depth;
   };
   double most = depth_at(segment.from + half);
@@ -242,7 +257,7 @@ bool PartInComparison::walk(const LineSegment& segment, int family, std::size_t 
 PartComparison PartInComparison::held() {
   PartComparison result;
   result.deviation.resize(surface_.point_count());
-  const std::size_t chunks = (surface_.point_count() + points_at_once - 1) / points_at_once;
+  const std::size_t chunks = (surface_.own_points() + points_at_once - 1) / points_at_once;
   std::vector<Work> works(std::size_t(stock_.threads()));
   const auto share = [&](std::size_t count, const auto& hold) {
     std::atomic<std::size_t> next{0};
@@ -254,10 +269,26 @@ PartComparison PartInComparison::held() {
   share(chunks, [&](std::size_t i, Work& work) { hold_points(i, result.deviation, work); });
   Offences all;
   for (const Work& w : works) all.take(w.found);
-  const auto offence = [](const Deepest& d) { return PartOffence{0, d.depth, d.at, d.sweep}; };
+  const auto offence = [&](const Deepest& d) { return PartOffence{0, d.depth, d.at, d.sweep, order_among_portions(d.order)}; };
   result.left_on = offence(all.left_on), result.gouged = offence(all.gouged);
-  for (const BrickFound& v : found_) result.left_on.volume += double(v.left_on), result.gouged.volume += double(v.gouged);
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    if (!is_own(i)) continue;
+    const BrickFound& v = found_[i];
+    result.left_on.volume += double(v.left_on), result.gouged.volume += double(v.gouged);
+    if (stock_.is_portion() && (v.left_on != 0 || v.gouged != 0))
+      result.bricks.push_back({wider_.lattice.number(wider_.lattice.place(i)), v.left_on, v.gouged});
+  }
   return result;
+}
+
+/// Returns the order of a place among the places of all portions. Points are ordered by their bricks, which no two portions have in common.
+std::uint64_t PartInComparison::order_among_portions(std::uint64_t order) const {
+  constexpr int bits_of_point = 20;  // a brick has at most 4 points in each of its 4096 cells
+  if (!stock_.is_portion() || order >= surface_.own_points()) return order;
+  const auto after = std::upper_bound(surface_.bricks.begin(), surface_.bricks.end(), order,
+                                      [](std::uint64_t point, const SurfaceBrick& b) { return point < b.first_point; });
+  const SurfaceBrick& brick = *(after - 1);
+  return brick.number << bits_of_point | (order - brick.first_point);
 }
 
 }  // namespace
@@ -266,9 +297,27 @@ PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& p
   return PartInComparison(stock, surface, part, faces).held();
 }
 
-double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, ComparedPart held) {
+void PartOffence::take(const PartOffence& other) {
+  if (other.deepest < deepest || (other.deepest == deepest && other.order >= order)) return;
+  deepest = other.deepest, at = other.at, sweep = other.sweep, order = other.order;
+}
+
+PartComparison join_comparisons(std::vector<PartComparison> portions) {
+  PartComparison all;
+  std::vector<BrickVolumes> bricks;
+  for (PartComparison& one : portions) {
+    all.left_on.take(one.left_on), all.gouged.take(one.gouged);
+    bricks.insert(bricks.end(), one.bricks.begin(), one.bricks.end());
+    one.bricks = {};
+  }
+  std::sort(bricks.begin(), bricks.end(), [](const BrickVolumes& a, const BrickVolumes& b) { return a.number < b.number; });
+  for (const BrickVolumes& v : bricks) all.left_on.volume += double(v.left_on), all.gouged.volume += double(v.gouged);
+  return all;
+}
+
+double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, ComparedPart held, const std::optional<BrickBox>& portion) {
   const Lattice own(stock, cell);
-  const Lattice lattice = held == ComparedPart::window ? own : wider_lattice(own, stock, box_of(part)).lattice;
+  const Lattice lattice = held == ComparedPart::window ? own : wider_lattice(own, stock, box_of(part), portion).lattice;
   return double(part.triangle_count()) * bytes_of_triangle + PartLines::bytes(part, lattice) +
          double(lattice.size()) * double(sizeof(BrickFound) + 1);
 }

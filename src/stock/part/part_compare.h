@@ -3,6 +3,7 @@
 // positions, and the sweeps that caused them.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "stock/blank/blank_window.h"
@@ -17,6 +18,17 @@ struct PartOffence {
   double deepest = 0;             // greatest distance of the difference from the surface of the wanted part, mm
   Vec3 at;                        // position of this greatest distance, mm
   std::int32_t sweep = of_blank;  // number of the sweep that last cut next to `at`; of_blank if no sweep did
+  // Decides between equal depths of several portions: the place with the least number is the deepest. Only of a portion.
+  std::uint64_t order = ~std::uint64_t{0};
+
+  /// Takes the deepest place of another portion, if that is deeper.
+  void take(const PartOffence& other);
+};
+
+/// The volumes of the differences in one brick, mm³.
+struct BrickVolumes {
+  std::uint64_t number;  // number of the brick, in the order in which volumes are added
+  float left_on, gouged;
 };
 
 struct PartComparison {
@@ -24,7 +36,13 @@ struct PartComparison {
   PartOffence gouged;   // regions of the wanted part without material: cut away, or missing because the blank is too small
   // Deviation of each point of the material's surface from the wanted part in mm: positive outside the wanted part, negative inside.
   std::vector<float> deviation;
+  // Only of a portion: the volumes of its own bricks, in their order. The portions' volumes are added brick by brick (join_comparisons()).
+  std::vector<BrickVolumes> bricks;
 };
+
+/// Returns the comparison of the whole stock, without deviations, from those of all its portions.
+///   law  the result is that of the whole stock, bit for bit   (tests/stock/portion_test)
+PartComparison join_comparisons(std::vector<PartComparison> portions);
 
 /// Compares the stock with the wanted part. Volumes are exact on the lattice lines: in each brick the intervals of the material and
 /// those of the part are compared along the direction whose lines contain most of the difference. If the part extends beyond the blank
@@ -40,6 +58,7 @@ PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& p
 /// Returns the memory in bytes that a comparison with a stock of this box needs. The result includes the triangles of the wanted part, but
 /// neither the stock nor its surface.
 enum class ComparedPart : std::uint8_t { whole, window };
-double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, ComparedPart held);
+double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, ComparedPart held,
+                           const std::optional<BrickBox>& portion = std::nullopt);
 
 }  // namespace kadr

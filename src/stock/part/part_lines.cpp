@@ -30,9 +30,10 @@ void clip(std::vector<LineRange>& ranges, std::size_t first, double least, doubl
 
 }  // namespace
 
-PartLines::PartLines(const Mesh& solid, const Lattice& lattice, const std::optional<Box3>& window, int threads) : cell_(lattice.cell()) {
+PartLines::PartLines(const Mesh& solid, const Lattice& lattice, const std::optional<Box3>& window, int threads)
+    : cell_(lattice.cell()), first_(lattice.held().first) {
   for (int d = 0; d < 3; ++d)
-    for (int i = 0; i < lattice.bricks(d) * brick_edge; ++i) {
+    for (int i = lattice.first(d) * brick_edge; i < (lattice.last(d) + 1) * brick_edge; ++i) {
       BrickPlace brick;
       (d == 0 ? brick.x : d == 1 ? brick.y : brick.z) = i / brick_edge;
       places_[std::size_t(d)].push_back(along(lattice.corner(brick), d) + (i % brick_edge + 0.5) * cell_);
@@ -105,8 +106,8 @@ void PartLines::order(int family, const std::span<std::vector<Hit>>& found, cons
 std::span<const LineRange> PartLines::of(BrickPlace brick, int family, int line) const {
   const std::array<int, 3> place{brick.x, brick.y, brick.z};
   const std::size_t axis_u = std::size_t(family + 1) % 3, axis_v = std::size_t(family + 2) % 3;
-  const std::size_t u = std::size_t(place[axis_u] * brick_edge + line % brick_edge),
-                    v = std::size_t(place[axis_v] * brick_edge + line / brick_edge);
+  const std::size_t u = std::size_t((place[axis_u] - first_[axis_u]) * brick_edge + line % brick_edge),
+                    v = std::size_t((place[axis_v] - first_[axis_v]) * brick_edge + line / brick_edge);
   const Family& all = families_[std::size_t(family)];
   const std::size_t number = v * places_[axis_u].size() + u;
   return {all.ranges.data() + all.first[number], all.ranges.data() + all.first[number + 1]};
@@ -125,7 +126,8 @@ double PartLines::bytes(const Mesh& solid, const Lattice& lattice) {
     bool reaches_out = false;
     for (int d = 0; d < 3; ++d) {
       const double least = std::min({along(a, d), along(b, d), along(c, d)}), most = std::max({along(a, d), along(b, d), along(c, d)});
-      const double begin = along(lattice.origin(), d), end = begin + lattice.bricks(d) * lattice.edge();
+      const double begin = along(lattice.origin(), d) + lattice.first(d) * lattice.edge(),
+                   end = along(lattice.origin(), d) + (lattice.last(d) + 1) * lattice.edge();
       reaches_out = reaches_out || least < begin || most > end;
       within[d] = std::max(std::min(most, end) - std::max(least, begin), 0.0);
     }

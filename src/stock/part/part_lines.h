@@ -43,7 +43,8 @@ class PartLines {
   std::size_t first_from(int axis, double place) const;
 
   double cell_;
-  std::array<std::vector<double>, 3> places_;  // coordinates of the lattice points along each axis, mm
+  std::array<int, 3> first_;                   // place of the lattice's first held brick
+  std::array<std::vector<double>, 3> places_;  // coordinates of the lattice points in held bricks along each axis, mm
   std::array<Family, 3> families_;
 };
 

@@ -69,13 +69,32 @@ void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to
   std::copy(corners.begin(), corners.end(), to);
 }
 
-/// Appends the points of a SurfacePart (the surface in one brick) to the whole surface, and deletes them from the SurfacePart.
+/// Appends the points of a SurfacePart (the surface in one brick) to a surface, and deletes them from the SurfacePart.
 void take_points(SurfacePart& part, Surface& surface) {
   part.base = std::uint32_t(surface.made_by.size());
   surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
   surface.made_by.insert(surface.made_by.end(), part.made_by.begin(), part.made_by.end());
   // Assigning a new vector also frees the memory of the points.
   part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();
+}
+
+/// Returns true if triangles of the stock may have corners in a brick: in one of its own, or in the next one before these.
+bool has_corners(const Stock& stock, std::size_t brick) {
+  const BrickPlace p = stock.lattice().place(brick);
+  const BrickBox& own = stock.own();
+  return p.x < own.end[0] && p.y < own.end[1] && p.z < own.end[2];
+}
+
+bool is_own(const Stock& stock, std::size_t brick) { return stock.own().holds(stock.lattice().place(brick)); }
+
+/// Appends the points of neighbouring portions.
+void append_others(const Stock& stock, const Surface& others, const Parts& parts, Surface& surface) {
+  const std::uint32_t own = std::uint32_t(surface.made_by.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i] && !is_own(stock, i)) parts[i]->base += own;
+  surface.points.insert(surface.points.end(), others.points.begin(), others.points.end());
+  surface.made_by.insert(surface.made_by.end(), others.made_by.begin(), others.made_by.end());
+  surface.others_points = others.made_by.size();
 }
 
 /// Computes the SurfacePart of each brick, and moves the points to the whole surface in batches, so that the points are not stored twice.
@@ -89,14 +108,16 @@ Parts parts_of(const Stock& stock, Surface& surface) {
   // blocks in the heap.
   surface.points.reserve(3 * cut * points_expected), surface.made_by.reserve(cut * points_expected);
   std::vector<PartWork> works(std::size_t(stock.threads()));
+  Surface others;
   for (std::size_t first = 0; first < parts.size(); first += bricks_at_once) {
     const std::size_t count = std::min(bricks_at_once, parts.size() - first);
     each_in_parallel(stock.threads(), count, [&](std::size_t i, int thread) {
-      parts[first + i] = surface_part(stock, tools, first + i, works[std::size_t(thread)]);
+      if (has_corners(stock, first + i)) parts[first + i] = surface_part(stock, tools, first + i, works[std::size_t(thread)]);
     });
     for (std::size_t i = first; i < first + count; ++i)
-      if (parts[i]) take_points(*parts[i], surface);
+      if (parts[i]) take_points(*parts[i], is_own(stock, i) ? surface : others);
   }
+  if (stock.is_portion()) append_others(stock, others, parts, surface);
   return parts;
 }
 
@@ -107,12 +128,17 @@ Surface surface_of(const Stock& stock) {
   const Parts parts = parts_of(stock, surface);
   std::vector<std::size_t> first_face(parts.size());
   std::size_t faces = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i]) first_face[i] = faces, faces += parts[i]->edges.size();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i] || !is_own(stock, i)) continue;
+    first_face[i] = faces, faces += parts[i]->edges.size();
+    if (stock.is_portion())
+      surface.bricks.push_back(
+          {stock.lattice().number(stock.lattice().place(i)), parts[i]->base, 2 * first_face[i], 2 * parts[i]->edges.size()});
+  }
   surface.triangles.resize(6 * faces);
   const Joiner joiner{stock.lattice(), parts, surface};
   each_in_parallel(stock.threads(), parts.size(), [&](std::size_t i, int) {
-    if (!parts[i]) return;
+    if (!parts[i] || !is_own(stock, i)) return;
     std::uint32_t* to = surface.triangles.data() + 6 * first_face[i];
     for (const CrossedEdge& e : parts[i]->edges) joiner.put_face(i, e, to), to += 6;
   });
