@@ -71,6 +71,14 @@ def blocks(page):
                          ('rounding', [{'G': [90, 1], 'X': [0], 'Y': [15]}, {'G': [2], 'X': [5], 'Y': [20], 'I': [5], 'J': [0]}, {'G': [1], 'X': [30], 'Y': [20]}])):
         made = page.ask('write_blocks', what='corner', kind=kind, size=5, **{'from': [0, 0], 'corner': [0, 20], 'to': [30, 20]}, unit='mm')
         expect([words_in(line) for line in made['lines']] == wanted, f'a {kind}: {made}')
+    corner = {'what': 'corner', 'kind': 'chamfer', 'size': 5, 'from': [0, 0], 'corner': [0, 20], 'to': [30, 20], 'unit': 'mm'}
+    ended = page.ask('write_blocks', **corner, motion='G0', after=2)
+    expect(ended['lines'][-1] == 'G0' and not any(line.startswith('N') for line in ended['lines']), f'the motion code is in force again: {ended}')
+    expect('motion' in page.ask('write_blocks', **corner, motion='M30').get('error', {}).get('text', ''), 'another code than that of a motion')
+    page.open('old.nc', control='s2c42')
+    old = page.ask('write_blocks', **corner, motion='G01', after=3)['lines']
+    expect([line.split()[0] for line in old] == ['N003', 'N004', 'N011', 'N012'][:len(old)] and all(line.endswith(' ПС') for line in old), f'numbers and marks as the program has them: {old}')
+    page.open('part.ngc', control='linuxcnc')
     for question, why in (({'what': 'arc', 'from': [0, 0], 'through': [5, 0], 'to': [9, 0]}, 'on one line'), ({'what': 'cycle', 'code': 'G99', 'holes': [[0, 0]], 'values': {}}, 'code'),
                           ({'what': 'corner', 'kind': 'chamfer', 'size': 50, 'from': [0, 0], 'corner': [0, 20], 'to': [30, 20]}, 'does not fit')):
         answer = page.ask('write_blocks', **question)
@@ -91,13 +99,14 @@ def main():
     with tempfile.TemporaryDirectory() as above:
         folder = Path(above)
         (folder / 'part.ngc').write_text(PART)
+        (folder / 'old.nc').write_text('%\nN001 G90 ПС\nN002 G00 X+10000 ПС\nN005 M00 ПС\nN010 M02 ПС\n')
         server = Server(kadr, folder, '--open')
         page = Page(server)
         page.ask('hello', token=server.token, lang='en')
         check(kadr, page, folder)
         page.ask('language', lang='en')
         blocks(page)
-        expect((folder / 'part.ngc').read_text() == PART and [p.name for p in folder.iterdir()] == ['part.ngc'], 'nothing is written')
+        expect((folder / 'part.ngc').read_text() == PART and sorted(p.name for p in folder.iterdir()) == ['old.nc', 'part.ngc'], 'nothing is written')
         onlooker = Page(server)
         onlooker.ask('hello', lang='en')
         expect(onlooker.ask('edit_program', file='part.ngc', control='linuxcnc', edits={'feed': '80%'}).get('lines', 0) > 0, 'who may not change may look')

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests what a page may do with files: rename, copy, delete to the trash, restore, begin a new program, take an example; and that nothing of
+"""Tests what a page may do with files: rename, copy, delete to the trash, restore, empty the trash, begin a new program, take an example; and that nothing of
 this leaves the folder or replaces a file.
 
     serve_files.py --kadr PROGRAM
@@ -9,6 +9,7 @@ import os
 import shutil
 import subprocess
 import tempfile
+import time
 from pathlib import Path
 
 from page_client.client import PROGRAM, Page, Server, expect, result, seen
@@ -54,6 +55,34 @@ def everyday(page, folder):
     page.ask('rename', file='COPY.NC', to='copy.nc')
 
 
+def trash(page, folder):
+    """What is in the trash, put back, and deleted for good."""
+    listed = lambda: page.ask('trash')['entries']
+    for place in listed():
+        page.ask('empty_trash', trash=place['trash'])
+    expect(listed() == [] and os.listdir(folder / '.kadr-trash') == [], 'each file deleted for good')
+    expect(page.ask('empty_trash')['deleted'] == 0, 'an empty trash is emptied')
+    for name in ('a.nc', 'sub/b.nc', 'a.nc'):
+        (folder / name).write_text(PROGRAM)
+        page.ask('delete', file=name)
+    entries = listed()
+    expect(sorted(e['file'] for e in entries) == ['a.nc', 'a.nc', 'sub/b.nc'] and all(e['size'] == len(PROGRAM.encode()) and abs(e['deleted'] - time.time()) < 600 for e in entries),
+           f'what was deleted, and when: {entries}')
+    expect([e['deleted'] for e in entries] == sorted((e['deleted'] for e in entries), reverse=True), 'the latest first')
+    b = next(e for e in entries if e['file'] == 'sub/b.nc')
+    expect('error' not in page.ask('restore', trash=b['trash'], file=b['file']) and (folder / 'sub/b.nc').exists() and len(listed()) == 2, 'one is put back')
+    (folder / 'sub/b.nc').unlink()
+    expect(page.ask('empty_trash', trash=entries[0]['trash']) == {'re': page.number, 'deleted': 1}, 'one is deleted for good')
+    expect('error' in page.ask('empty_trash', trash=entries[0]['trash']), 'a second time it is not there')
+    (folder / '.kadr-trash/notes').mkdir()
+    (folder / '.kadr-trash/notes/mine.txt').write_text('x')
+    inner = folder / '.kadr-trash' / listed()[0]['trash']
+    os.symlink(folder / 'sub', inner / 'link')
+    expect(page.ask('empty_trash')['deleted'] == 2 and listed() == [], 'all are deleted for good; of a link only the link')
+    expect((folder / 'sub').is_dir() and (folder / '.kadr-trash/notes/mine.txt').exists(), 'and nothing else')
+    shutil.rmtree(folder / '.kadr-trash/notes')
+
+
 def seen_on_disk(page, folder):
     """The page notices what others change."""
     opened, _ = page.open('copy.nc', control='mach3')
@@ -84,6 +113,7 @@ def attacks(page, folder, outside):
         expect(page.ask('digest', file=name)['digest'] is None, f'digest of {name!r}')
     for trash in ('..', '.', '', '../..', 'sub', '20260101-000000/..', '/tmp', 'a\0b'):
         expect('error' in page.ask('restore', trash=trash, file='copy.nc'), f'restore from {trash!r} is refused')
+        expect(not trash or 'error' in page.ask('empty_trash', trash=trash), f'empty_trash of {trash!r} is refused')
     for name in OUTSIDE:
         expect('error' in page.ask('restore', trash='20260101-000000', file=name), f'restore {name!r} is refused')
     expect('error' in page.ask('save', file='k.nc', text='-----BEGIN PRIVATE KEY-----\nMII\n', digest=None), 'a key is no program')
@@ -98,6 +128,7 @@ def trash_as_link(kadr, folder, outside):
     page = greeted(server)
     expect('error' in page.ask('delete', file='copy.nc') and (folder / 'copy.nc').exists(), 'a trash that is a link is not used')
     expect('error' in page.ask('restore', trash='1', file='outside.nc'), 'nor restored from')
+    expect('error' in page.ask('trash') and 'error' in page.ask('empty_trash') and outside.exists(), 'nor listed, nor emptied')
     server.end()
     (folder / '.kadr-trash').unlink()
 
@@ -106,7 +137,7 @@ def token(server, folder):
     page = greeted(server, token=False)
     before = all_files(folder)
     for do, more in (('rename', {'file': 'copy.nc', 'to': 'z.nc'}), ('copy', {'file': 'copy.nc', 'to': 'z.nc'}), ('delete', {'file': 'copy.nc'}),
-                     ('restore', {'trash': '1', 'file': 'copy.nc'}), ('take_example', {'name': 'cut/plate.nc'})):
+                     ('restore', {'trash': '1', 'file': 'copy.nc'}), ('empty_trash', {}), ('take_example', {'name': 'cut/plate.nc'})):
         expect('error' in page.ask(do, **more), f'{do} without the token')
     expect(all_files(folder) == before, 'and nothing has changed')
 
@@ -201,6 +232,7 @@ def main():
         server = Server(kadr, folder, '--open')
         page = greeted(server)
         everyday(page, folder)
+        trash(page, folder)
         seen_on_disk(page, folder)
         attacks(page, folder, outside)
         token(server, folder)
@@ -215,7 +247,7 @@ def main():
         trash_as_link(kadr, folder, outside)
         read_only(kadr, folder)
         full_disk(kadr, folder)
-    expect(all(f'{side}.{do}' in seen for side in ('question', 'answer') for do in ('digest', 'rename', 'copy', 'delete', 'restore', 'examples', 'take_example', 'new_program')), 'every message was sent')
+    expect(all(f'{side}.{do}' in seen for side in ('question', 'answer') for do in ('digest', 'rename', 'copy', 'delete', 'restore', 'trash', 'empty_trash', 'examples', 'take_example', 'new_program')), 'every message was sent')
     return result()
 
 

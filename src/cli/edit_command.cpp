@@ -25,7 +25,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr double least_edit_tolerance = 1e-5, most_edit_tolerance = 1;  // limits of the value of --tolerance, mm
+constexpr double least_edit_tolerance = 1e-6, most_edit_tolerance = 1;  // limits of the value of --tolerance, mm
 constexpr std::size_t shown_differences = 5;                            // greatest number of unexpected differences that are printed
 
 class EditCommand {
@@ -214,8 +214,7 @@ void add_edit(CLI::App& app, Commands& c) {
   edit_words(*edit, "--shift", t::shift, t::shift_value, read_shift, [&](const auto& one) { edits.shift[one.first] = one.second; });
   plane_options(*edit, edits);
   number(edit->add_option("--tolerance", o.tolerance, plain_text(t::tolerance)), plain_text(texts::values::mm), least_edit_tolerance,
-         most_edit_tolerance)
-      ->capture_default_str();
+         most_edit_tolerance);
   program_options(*edit, o.run);
   memory_option(*edit, o.run);
   edit->footer(plain_text(texts::help_examples::edit));

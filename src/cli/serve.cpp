@@ -13,6 +13,7 @@
 #include "cli/options/command_parts.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
+#include "cli/report_files.h"
 #include "panel/panel_hub.h"
 #include "panel/panel_journal.h"
 #include "server/http_server.h"
@@ -90,7 +91,8 @@ int serve(const ServeOptions& options) {
                         &last,
                         &hub,
                         journal.get(),
-                        &memory};
+                        &memory,
+                        {report_file("report.html"), report_file("licences.txt")}};
   const auto server = HttpServer::listen(requested_address, page);
   if (!server) {
     complain(server.error());

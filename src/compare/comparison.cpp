@@ -183,7 +183,7 @@ class Comparer {
     const auto differs = difference(as_act(a.state), as_act(b.state));
     if (!differs) return;
     const bool is_off = b.state.coolant == Coolant::off && b.state.speed == 0;
-    if (is_off && !difference(as_act(a.state), as_act(course_b_.before_last_block()))) return;
+    if (is_off && !rules_.same_control && !difference(as_act(a.state), as_act(course_b_.before_last_block()))) return;
     (void)report_state(*differs);
   }
   void ends_differ() {
@@ -350,7 +350,7 @@ std::vector<std::string> common_frame(const Session& a, const Session& b) {
 
 Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session> b, const CompareRules& rules) {
   const std::vector<std::string> frame = common_frame(*a, *b);
-  const double chord = rules.tolerance * chord_of_tolerance;
+  const double chord = rules.chord > 0 ? rules.chord : rules.tolerance * chord_of_tolerance;
   Course course_a(std::move(a), frame, chord, rules.stop), course_b(std::move(b), frame, chord, rules.stop);
   Axes zero{};
   for (std::size_t i = 0; i < frame.size(); ++i)
@@ -359,6 +359,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   if (!rules.times) course_a.pass_times(), course_b.pass_times();
   course_a.change_items(rules.expected_of_a);
   if (!rules.messages) course_a.pass_messages(), course_b.pass_messages();
+  if (rules.same_control) course_a.state_everything(), course_b.state_everything();
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
   const PathModes of_b = path_modes_of(course_b.session().def());
   PathModes modes = path_modes_of(course_a.session().def()) & of_b;

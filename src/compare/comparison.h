@@ -32,8 +32,12 @@ struct ComparedPiece {
 };
 
 struct CompareRules {
-  double tolerance = 0.001;    // permitted distance between the paths, mm (degrees for rotary axes)
-  bool messages = true;        // true: messages to the operator are compared
+  double tolerance = 0.001;  // permitted distance between the paths, mm (degrees for rotary axes)
+  double chord = 0;          // greatest deviation of the straight segments from a curved path, mm; 0: a small part of the tolerance
+  bool messages = true;      // true: messages to the operator are compared
+  // True if both programs are of the same control: even what depends on the machine is compared, that is, which tool is made ready, and
+  // spindle and coolant at a tool change and at the end
+  bool same_control = false;
   bool tools_by_hand = false;  // true if a tool change counts as a program stop at which the operator changes the tool
   // True if a feed per revolution counts as equal to the feed per minute that it gives at the spindle speed in force
   bool feeds_at_speed = false;

@@ -131,7 +131,10 @@ void Course::take_switch(const Step& step) {
       [&](const FrameChange& frame) { note_frame(frame); },
       [&](const Couple& couple) { take_event(step, Kind::other, couple.ratio, "couple " + couple.slave); },
       [&](const Uncouple& uncouple) { take_event(step, Kind::other, 0, "uncouple " + uncouple.slave); },
-      ignores<Motion, ToolSelect, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>);
+      [&](const ToolSelect& select) {
+        if (all_) take_event(step, Kind::other, select.tool, selected_tool);
+      },
+      ignores<Motion, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
 void Course::note_frame(const FrameChange& frame) {
@@ -179,8 +182,8 @@ void Course::take_event(const Step& step, CourseEvent::Kind kind, double value, 
   item.state = state_;
   // At a tool change, spindle and coolant count as off, because it depends on the machine whether they stop
   if (kind == CourseEvent::Kind::tool) {
-    item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false, item.state.most_rpm = 0;
-    item.state.coolant = Coolant::off;
+    item.state.speed = 0, item.state.surface = false, item.state.most_rpm = 0;
+    if (!all_) item.state.spindle = SpindleDir::stop, item.state.coolant = Coolant::off;
     if (tools_by_hand_) kind = CourseEvent::Kind::stop, value = 0;
   }
   item.act = std::make_shared<const CourseEvent>(CourseEvent{kind, value, std::move(text)});

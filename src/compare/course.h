@@ -38,6 +38,8 @@ class Course {
   std::size_t passed_messages() const { return passed_messages_; }
   /// Treats each tool change as a stop, independent of the selected tool: the operator changes the tool by hand.
   void change_tools_by_hand() { tools_by_hand_ = true; }
+  /// Adds to the course what depends on the machine: which tool is made ready, and spindle and coolant at a tool change.
+  void state_everything() { all_ = true; }
   /// Sets which exact stops and corner modes the course contains.
   void look_at(const PathModes& modes) { modes_ = modes; }
   /// The meaning of an M function of the machine on the other control, by the tables of both controls (config/machine/machine_codes).
@@ -90,7 +92,7 @@ class Course {
   CourseItem end_;
   std::optional<AlarmReport> stopped_;
   bool over_ = false;
-  bool messages_ = true, tools_by_hand_ = false;
+  bool messages_ = true, tools_by_hand_ = false, all_ = false;
   std::size_t passed_messages_ = 0, passed_exact_stops_ = 0;
 };
 

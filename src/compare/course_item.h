@@ -32,6 +32,9 @@ struct CourseState {
   friend bool operator==(const CourseState&, const CourseState&) = default;
 };
 
+/// CourseEvent::text of an act that makes a tool ready for the next tool change.
+inline constexpr const char* selected_tool = "T";
+
 /// An act while the axes are at rest. The modes that the act puts in force are in CourseState.
 struct CourseEvent {
   enum class Kind : std::uint8_t { tool, dwell, stop, optional_stop, message, function, exact_stop, other };

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/tolerance.h"
+#include "edit/block_style.h"
 #include "edit/number_text.h"
 #include "lang/block/block_reader.h"
 #include "out/program/codes.h"
@@ -16,7 +17,8 @@
 namespace kadr {
 namespace {
 
-constexpr double same = 1e-6;  // difference of positions that counts as none, in the unit of the program
+constexpr int usual_decimals = 3, most_decimals = 6;  // of positions in words without a limit (out/program/words)
+constexpr double same = 1e-6;                         // difference of positions that counts as none, in the unit of the program
 
 /// The codes of compensation and their opposites.
 enum class Side : std::uint8_t { none, off, left, right };
@@ -67,21 +69,12 @@ class ContourReversal {
     if (!note_codes(block, element, is_other)) is_other = true;
     if (auto status = note_words(block, element, is_other); !status) return status;
     if (is_other && is_inside(block)) return fault(element.line, translated(texts::edit::not_reversed, block.text_of(block.where)));
-    if (is_inside(block) && mark_.empty()) mark_ = ending_of(block);
+    if (is_inside(block) && mark_.empty()) mark_ = BlockStyle::ending_of(block);
     return {};
   }
 
   /// The position after this block is not known.
   void forget() { x_.reset(), y_.reset(), approach_.reset(); }
-
-  /// Returns the end-of-block mark of the line: ПС, LF; empty if it has none.
-  std::string ending_of(const Block& block) const {
-    std::uint32_t end = block.where.begin;
-    for (std::uint32_t i = 0; i < block.word_count; ++i) end = std::max(end, block.words[i].where.end);
-    if (!block.comments.empty()) return {};
-    const std::string_view rest = block.text.substr(std::min<std::size_t>(end, block.text.size()));
-    return rest.find_first_not_of(" \t\r") == std::string_view::npos ? std::string() : std::string(rest);
-  }
 
   /// True for functions after which the tool is not where the words of the program say: calls, positions of the machine, other zeros.
   static bool moves_elsewhere(const FunctionTraits& traits) {
@@ -142,6 +135,7 @@ class ContourReversal {
         if (word.address == 'Y') y_.reset();
         continue;
       }
+      note_decimals(block.text_of(word.where));
       switch (word.address) {
         case 'X': x = word.value; break;
         case 'Y': y = word.value; break;
@@ -174,9 +168,9 @@ class ContourReversal {
       if (y) y_ = y;
     }
     if (!is_inside(block)) {
-      // The rapid that leads to the contour, if it states both coordinates
+      // The rapid that leads to the contour. A coordinate that it does not state is known from blocks before it
       approach_.reset();
-      if (move_ == Function::rapid && x && y && !incremental_) note_approach(block);
+      if (move_ == Function::rapid && x_ && y_ && !incremental_) note_approach(block);
       return {};
     }
     if (!from || !x_ || !y_) return fault(element.line, translated(texts::edit::contour_unknown));
@@ -186,6 +180,15 @@ class ContourReversal {
     if (block.has_number) element.number = std::string(block.text_of(block.number_where));
     elements_.push_back(std::move(element));
     return {};
+  }
+
+  /// Positions are written with as many decimals as the program has.
+  void note_decimals(std::string_view word) {
+    const std::size_t point = word.find('.');
+    if (point == std::string_view::npos) return;
+    std::size_t end = point + 1;
+    while (end < word.size() && word[end] >= '0' && word[end] <= '9') ++end;
+    decimals_ = std::clamp(int(end - point) - 1, decimals_, most_decimals);
   }
 
   Vec2 centre_of(Vec2 from, std::optional<double> i, std::optional<double> j) const {
@@ -198,7 +201,9 @@ class ContourReversal {
 
   void note_approach(const Block& block) {
     approach_ = block.position.line, approach_text_ = std::string(block.text);
-    approach_x_ = *block.find('X'), approach_y_ = *block.find('Y');
+    const Word* const x = block.find('X');
+    const Word* const y = block.find('Y');
+    approach_x_ = x == nullptr ? std::nullopt : std::optional(*x), approach_y_ = y == nullptr ? std::nullopt : std::optional(*y);
   }
 
   EditStatus check() {
@@ -238,7 +243,7 @@ class ContourReversal {
 
   /// Appends a word, with a blank before it. `value` in the unit of the program.
   bool put(std::string& text, char letter, double value) const {
-    const Words words(def_, letter, inch_ ? 1 : 0);
+    const Words words(def_, letter, std::max(decimals_ - usual_decimals, inch_ ? 1 : 0));
     std::string word;
     if (!words.append(word, value * def_.address(letter).scale)) return false;
     text += (text.empty() ? "" : " ") + word;
@@ -294,12 +299,20 @@ class ContourReversal {
   bool lead_to(std::string& text, Vec2 to) const {
     LineChanges changes;
     const std::string_view old = text;
-    for (const auto& [word, value] : {std::pair{approach_x_, to.x}, std::pair{approach_y_, to.y}}) {
+    for (const bool is_x : {true, false}) {
+      const std::optional<Word>&own = is_x ? approach_x_ : approach_y_, &other = is_x ? approach_y_ : approach_x_;
+      const Word& word = own ? *own : *other;
       Span where = word.where;
       while (where.end > where.begin && old[where.end - 1] == ' ') --where.end;
-      auto made = word_with_value(old.substr(where.begin, where.end - where.begin), word, def_, value);
+      auto made = word_with_value(old.substr(where.begin, where.end - where.begin), word, def_, is_x ? to.x : to.y);
       if (!made) return false;
-      changes.replace(where, std::move(*made));
+      if (own) {
+        changes.replace(where, std::move(*made));
+        continue;
+      }
+      made->front() = is_x ? 'X' : 'Y';
+      if (is_x) changes.replace({where.begin, where.begin}, *made + " ");
+      else changes.replace({where.end, where.end}, " " + *made);
     }
     text = changes.applied(std::string(old));
     return true;
@@ -316,7 +329,8 @@ class ContourReversal {
   std::optional<double> x_, y_, feed_;
   std::optional<std::uint32_t> approach_;  // line of the rapid that leads to the contour
   std::string approach_text_, mark_;
-  Word approach_x_, approach_y_;
+  std::optional<Word> approach_x_, approach_y_;  // at least one of them if there is an approach
+  int decimals_ = usual_decimals;
   bool incremental_ = false, centres_absolute_ = false, inch_ = false, is_closed_ = false;
 };
 

@@ -12,6 +12,10 @@ namespace kadr {
 namespace {
 
 constexpr int other_states = 2;
+// Permitted distances of the paths, mm. Words that no edit rounds state the same positions, so that their last digit counts.
+constexpr double of_arithmetic = 1e-6;
+constexpr double of_distances = 2e-4;  // distances in inches have five decimals
+constexpr double chord = 1e-4;         // both programs have the same arcs, so that their chords are the same too
 
 /// Returns the name that a work system has in a set-up: "G54", "G54.1 P3".
 std::string name_of(const SystemCode& system) {
@@ -58,6 +62,18 @@ Setup setup_of_old(const Setup& setup, const ControlDef& def, const Edits& edits
   return old;
 }
 
+/// Returns the permitted distance of the paths, mm.
+double tolerance_of(const EditSpec& spec, const ControlDef& def) {
+  std::vector<PlaneMap> maps = spec.edits.places;
+  if (spec.edits.plane) maps.push_back(*spec.edits.plane);
+  const auto any = [&](bool (*is)(const PlaneMap&)) { return std::any_of(maps.begin(), maps.end(), is); };
+  // Turned coordinates are rounded to the increment of the words
+  if (any([](const PlaneMap& map) { return !map.is_quarter(); })) return std::max(spec.tolerance, usual_tolerance(def, def, true));
+  if (spec.tolerance > 0) return spec.tolerance;
+  const bool adds = !spec.edits.shift.empty() || any([](const PlaneMap& map) { return map.by.x != 0 || map.by.y != 0; });
+  return adds ? of_distances : of_arithmetic;
+}
+
 /// Puts the start of the run, if the set-up does not state it, on a point of the plane that the map leaves where it is: a program that
 /// begins with increments, or that sets the position, is mapped about the point where it starts.
 void start_at_fixed_point(Setup& setup, const Edits& edits, const Session& session) {
@@ -82,11 +98,9 @@ tl::expected<EditProof, std::string> prove_edit(const EditSpec& spec, const std:
   for (OpenState& state : open_states(spec.setup, def, def, (*opened)->control().axes(), names, other_states))
     setups.push_back(std::move(state.setup));
   CompareRules rules;
-  const auto is_rounded = [](const PlaneMap& map) { return !map.is_quarter(); };
-  const bool rounds =
-      (spec.edits.plane && is_rounded(*spec.edits.plane)) || std::any_of(spec.edits.places.begin(), spec.edits.places.end(), is_rounded);
-  // Turned coordinates are rounded to the increment of the words
-  rules.tolerance = rounds ? std::max(spec.tolerance, usual_tolerance(def, def, true)) : spec.tolerance;
+  rules.tolerance = tolerance_of(spec, def);
+  rules.chord = chord;
+  rules.same_control = true;
   rules.stop = spec.stop;
   EditProof proof;
   for (Setup& setup : setups) {

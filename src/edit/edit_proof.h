@@ -19,7 +19,7 @@ struct EditSpec {
   std::shared_ptr<ByteSource> source_text;  // text of the program, UTF-8
   Setup setup;                              // the set-up with which the program begins
   Edits edits;
-  double tolerance = 0.001;  // permitted distance of the paths, mm
+  double tolerance = 0;  // permitted distance of the paths, mm; 0: what the rounding of the changed words may do
   StopToken stop{};
 };
 

@@ -89,10 +89,13 @@ tl::expected<Edited, EditFault> edited(const EditSpec& spec, const EditedSource&
   TextSpool made;
   auto changes = edit_program(source, spec.edits, spec.stop, [&made](std::string_view piece) { made.append(piece); });
   if (!changes) return tl::unexpected(changes.error());
-  Edited result{made.source(), *changes, {}};
+  Edited result;
+  result.text = made.source();
+  result.changes = *changes;
   auto proof = prove_edit(proven, result.text);
   if (!proof) return tl::unexpected(EditFault{0, proof.error()});
   result.proof = std::move(*proof);
+  result.pieces = std::move(proven.edits.pieces);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "edit/edit_proof.h"
 #include "edit/program_editor.h"
@@ -17,6 +18,7 @@ struct Edited {
   std::shared_ptr<ByteSource> text;  // the new program, in the encoding of the old one
   EditedText changes;
   EditProof proof;
+  std::vector<EditLines> pieces;  // lines of the old program whose course is repeated or reversed
 };
 
 /// Edits the program.

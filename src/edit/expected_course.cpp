@@ -3,9 +3,16 @@
 #include "edit/expected_course.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kadr {
 namespace {
+
+/// True if the axis is at two places. Chords of an arc in the plane may differ along the third axis by the rounding of their computation.
+bool is_apart(double a, double b) {
+  constexpr double least = 1e-9;  // mm
+  return std::abs(a - b) > least;
+}
 
 int index_of(const std::vector<std::string>& axes, const char* name) {
   const auto at = std::find(axes.begin(), axes.end(), name);
@@ -31,7 +38,8 @@ void ExpectedCourse::change_state(CourseItem& item) const {
     state.feed *= keeps_lead ? speed : state.taps ? 1 : factor_for(edits_.feeds, state.tool);
   }
   state.tool = new_tool(state.tool);
-  if (item.act && item.act->kind == CourseEvent::Kind::tool) {
+  const bool selects = item.act && item.act->kind == CourseEvent::Kind::other && item.act->text == selected_tool;
+  if (selects || (item.act && item.act->kind == CourseEvent::Kind::tool)) {
     CourseEvent changed = *item.act;
     changed.value = new_tool(static_cast<std::uint32_t>(changed.value));
     item.act = std::make_shared<const CourseEvent>(std::move(changed));
@@ -42,14 +50,17 @@ void ExpectedCourse::change_state(CourseItem& item) const {
 ///   commands_all  the motion must reach X and Y even if the old program did not command them
 void ExpectedCourse::put(const CourseItem& item, const PlaneMap* map, bool commands_all, ItemRing& to) {
   CourseItem& made = to.add() = item;
+  // A copy cuts at the height of the old program, whatever the height at which the last one ended
+  const bool cuts_in_copy = is_copy_ && item.kind == CourseItem::Kind::move && item.state.move != CourseMove::rapid;
   const AxisMask named = item.kind == CourseItem::Kind::move ? item.named : 0;
   const auto commanded = [&](int axis) {
     const auto i = static_cast<std::size_t>(axis);
-    return axis >= 0 && (commands_all || (named >> i & 1U) != 0 || item.to[i] != raw_[i]);
+    return axis >= 0 && (commands_all || (named >> i & 1U) != 0 || is_apart(item.to[i], raw_[i]));
   };
   for (std::size_t i = 0; i < axes_; ++i) {
-    const bool is_commanded = (named >> i & 1U) != 0 || item.to[i] != raw_[i] || (commands_all && (int(i) == x_ || int(i) == y_));
-    if (!is_commanded) made.to[i] = now_[i];
+    const bool is_in_plane = int(i) == x_ || int(i) == y_;
+    const bool is_commanded = (named >> i & 1U) != 0 || is_apart(item.to[i], raw_[i]) || (commands_all && is_in_plane);
+    if (!is_commanded && (is_in_plane || !cuts_in_copy)) made.to[i] = now_[i];
   }
   if (map != nullptr && x_ >= 0 && y_ >= 0 && item.by_work && item.kind == CourseItem::Kind::move) {
     const auto x = std::size_t(x_), y = std::size_t(y_);
@@ -63,6 +74,19 @@ void ExpectedCourse::put(const CourseItem& item, const PlaneMap* map, bool comma
   raw_ = item.to, now_ = made.to;
 }
 
+/// After copies or a reversed contour the tool stands elsewhere. The first motion in X or Y, and any other than a rapid, must lead to where
+/// the old program is; before it, rapids along other axes may happen there.
+bool ExpectedCourse::must_lead_back(const CourseItem& item) {
+  if (!is_elsewhere_ || item.kind != CourseItem::Kind::move || !item.by_work) return false;
+  const auto moves = [&](int axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    return axis >= 0 && ((item.named >> i & 1U) != 0 || is_apart(item.to[i], raw_[i]));
+  };
+  if (!moves(x_) && !moves(y_) && item.state.move == CourseMove::rapid) return false;
+  is_elsewhere_ = false;
+  return true;
+}
+
 std::optional<std::size_t> ExpectedCourse::piece_of(const CourseItem& item) const {
   if (item.kind == CourseItem::Kind::end || item.origin.file != 0) return std::nullopt;
   for (std::size_t i = 0; i < edits_.pieces.size(); ++i)
@@ -73,6 +97,7 @@ std::optional<std::size_t> ExpectedCourse::piece_of(const CourseItem& item) cons
 /// Appends the held piece once for each further place.
 void ExpectedCourse::repeat(ItemRing& to) {
   const Axes end = raw_;
+  is_copy_ = true;
   for (const PlaneMap& map : edits_.places) {
     raw_ = held_from_;
     bool is_first = true;
@@ -82,6 +107,7 @@ void ExpectedCourse::repeat(ItemRing& to) {
       is_first = is_first && !moves;
     }
   }
+  is_copy_ = false;
   raw_ = end;
 }
 
@@ -91,6 +117,7 @@ void ExpectedCourse::end_piece(ItemRing& to) {
   if (edits_.reverses) reverse(to);
   else repeat(to);
   held_.clear();
+  is_elsewhere_ = x_ >= 0 && y_ >= 0 && (now_[std::size_t(x_)] != raw_[std::size_t(x_)] || now_[std::size_t(y_)] != raw_[std::size_t(y_)]);
 }
 
 /// Appends the held motions in the reverse order, each with the state that it had. Acts before the first motion in the plane and motions
@@ -128,7 +155,7 @@ void ExpectedCourse::take(ItemRing& from, ItemRing& to) {
     }
     if (piece) held_.push_back(item);
     if (piece && edits_.reverses) raw_ = item.to;
-    else put(item, edits_.plane ? &*edits_.plane : nullptr, false, to);
+    else put(item, edits_.plane ? &*edits_.plane : nullptr, must_lead_back(item), to);
   }
 }
 

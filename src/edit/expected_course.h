@@ -25,6 +25,7 @@ class ExpectedCourse {
  private:
   void change_state(CourseItem& item) const;
   void put(const CourseItem& item, const PlaneMap* map, bool commands_all, ItemRing& to);
+  bool must_lead_back(const CourseItem& item);
   void repeat(ItemRing& to);
   void reverse(ItemRing& to);
   std::optional<std::size_t> piece_of(const CourseItem& item) const;
@@ -32,8 +33,11 @@ class ExpectedCourse {
 
   const Edits& edits_;
   std::size_t axes_;
-  int x_ = -1, y_ = -1;           // indices of the axes X and Y; -1: there is no such axis
-  Axes raw_{}, now_{};            // position in the old and in the new program
+  int x_ = -1, y_ = -1;  // indices of the axes X and Y; -1: there is no such axis
+  Axes raw_{}, now_{};   // position in the old and in the new program
+  // The tool stands at another place than in the old program, because a piece was repeated or reversed before
+  bool is_elsewhere_ = false;
+  bool is_copy_ = false;          // the items of a repeated piece are being appended
   std::vector<CourseItem> held_;  // items of the piece of the course that is repeated or reversed
   Axes held_from_{};              // position of the old program at the start of the piece
   std::optional<std::size_t> piece_;

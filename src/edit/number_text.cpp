@@ -39,6 +39,7 @@ std::optional<std::string> word_with_value(std::string_view text, const Word& wo
   const bool has_point = old.find('.') != std::string_view::npos;
   const std::string_view old_digits = old.substr(std::min(old.find_first_not_of("+-"), old.size()));
   if (value < 0 && !format.sign) return std::nullopt;
+  const char* const plus = old.starts_with('+') ? "+" : "";
   constexpr std::size_t any = 18;
   const bool limited = format.whole_digits > 0;
   if (!has_point && (format.implied || word.counted > 0)) {
@@ -46,7 +47,7 @@ std::optional<std::string> word_with_value(std::string_view text, const Word& wo
     auto digits = counts(value, decimals, limited ? std::size_t(format.whole_digits) + format.fraction_digits : any);
     if (!digits) return std::nullopt;
     const bool is_padded = !format.drop_zeros || old_digits.starts_with('0');
-    return head + (value < 0 ? "-" : "") + (is_padded ? with_zeros(*digits, old_digits.size()) : *digits);
+    return head + (value < 0 ? "-" : plus) + (is_padded ? with_zeros(*digits, old_digits.size()) : *digits);
   }
   // A length without a point may count increments, depending on a parameter (spec/fanuc 1.3), and 0 does not show whether it does
   const bool needs_point = has_point || (format.point && word.value == 0 && def.address(word.address).unit == WordUnit::length);
@@ -62,7 +63,7 @@ std::optional<std::string> word_with_value(std::string_view text, const Word& wo
   if (limited && whole > format.whole_digits) return std::nullopt;
   if (!has_point && old_digits.size() > 1 && old_digits.starts_with('0') && whole == number.size())
     number = with_zeros(number, old_digits.size());
-  return head + (value < 0 && number.find_first_not_of("0.") != std::string::npos ? "-" : "") + number;
+  return head + (value < 0 && number.find_first_not_of("0.") != std::string::npos ? "-" : plus) + number;
 }
 
 std::string word_with_operation(std::string_view text, std::string_view operation) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "config/control/control_def.h"
+#include "edit/block_style.h"
 #include "edit/plane_editor.h"
 #include "lang/block/block_reader.h"
 #include "texts/edit.h"
@@ -17,9 +18,8 @@ struct BlockPart {
   bool separates = false;  // a piece ends before this block: tool change, end, position of the machine, another work system
   bool cuts = false;       // the block belongs to a piece that has begun: motions, cycles, compensation
   bool places = false;     // the block states a position in the plane
-  bool places_both = false;
-  bool flows = false;    // the block calls or jumps
-  bool assigns = false;  // the block gives a variable a value
+  bool flows = false;      // the block calls or jumps
+  bool assigns = false;    // the block gives a variable a value
   bool absolute = true;
 };
 
@@ -73,7 +73,6 @@ class PatternMaker {
     }
     if (keeps || part.separates) return part;
     part.places = block.has('X') || block.has('Y');
-    part.places_both = block.has('X') && block.has('Y');
     part.cuts = part.cuts || part.places || block.has('Z');
     part.absolute = !incremental_;
     return part;
@@ -97,8 +96,10 @@ class PatternMaker {
       }
       if (part.flows || (piece.first != 0 && part.assigns)) return fault(translated(texts::edit::not_copied, block.text_of(block.where)));
       if (piece.first == 0) {
-        if (!part.places) return {};
-        if (!part.places_both || !part.absolute) return fault(translated(texts::edit::copy_needs_position));
+        // Stated lines are repeated from the first motion on, so this motion must say where it leads
+        if (!part.places && (!edits_.copied || !part.cuts)) return {};
+        if (!part.places) return fault(translated(texts::edit::copy_begins_without, block.text_of(block.where)));
+        if (!part.absolute) return fault(translated(texts::edit::copy_needs_position));
         piece.first = line;
       }
       if (part.cuts) piece.last = line;
@@ -111,33 +112,67 @@ class PatternMaker {
   EditStatus write() {
     std::vector<PlaneEditor> editors;
     for (const PlaneMap& place : edits_.places) editors.emplace_back(def_, place);
-    std::vector<std::vector<std::string>> copies(editors.size());
+    PlaneEditor in_place(def_, PlaneMap());
+    incremental_ = false;
+    std::vector<std::vector<Copied>> copies(editors.size());
+    BlockStyle style = BlockStyle::of(program_.source, program_.encoding, def_, std::nullopt, stop_);
     auto piece = made_.pieces.begin();
     return each_block([&](const Block& block) -> EditStatus {
+      if (auto status = lead_back(in_place, block, piece == made_.pieces.end()); !status) return status;
       if (piece == made_.pieces.end()) return {};
       const std::uint32_t line = block.position.line;
       for (std::size_t i = 0; i < editors.size(); ++i) {
         LineChanges changes;
+        if (line == piece->first) editors[i].state_both();
         if (auto status = editors[i].change(block, changes); !status) return status;
         if (line < piece->first || line > piece->last) continue;
-        if (block.has_number && !def_.grammar.block_number_required) remove_number(block, changes);
-        copies[i].push_back(changes.applied(block.text));
+        copies[i].emplace_back(block, std::move(changes));
       }
       if (line != piece->last) return {};
-      for (std::vector<std::string>& copy : copies) {
-        std::vector<std::string>& after = made_.patches.after[line];
-        after.insert(after.end(), copy.begin(), copy.end());
+      for (std::vector<Copied>& copy : copies) {
+        for (Copied& one : copy) made_.patches.after[line].push_back(numbered(one, style));
         copy.clear();
       }
+      if (!edits_.places.empty()) in_place.state_both();
       ++piece;
       return {};
     });
   }
 
-  static void remove_number(const Block& block, LineChanges& changes) {
-    std::uint32_t end = block.number_where.end;
-    while (end < block.text.size() && block.text[end] == ' ') ++end;
-    changes.remove({block.number_where.begin, end});
+  /// After copies the tool stands at the last place. The next position gets both words, so that it is where it was.
+  ///   is_behind  no piece follows: a block that cannot be read is left to the proof
+  EditStatus lead_back(PlaneEditor& in_place, const Block& block, bool is_behind) {
+    const bool adds_a_word = in_place.will_state_both();
+    if (is_behind && !adds_a_word) return {};
+    LineChanges changes;
+    const BlockPart part = look(block);
+    const EditStatus status = in_place.change(block, changes);
+    if (!adds_a_word) return {};  // the copies refuse what cannot be read before them
+    if (part.places && !part.absolute)
+      return tl::unexpected(EditFault{block.position.line, translated(texts::edit::increment_after_copies)});
+    if (!status) return is_behind && in_place.will_state_both() ? EditStatus() : status;
+    if (!changes.empty()) made_.patches.instead[block.position.line] = changes.applied(block.text);
+    return {};
+  }
+
+  /// A line that is repeated, with its changes.
+  struct Copied {
+    Copied(const Block& block, LineChanges its_changes)
+        : text(block.text), number(block.has_number ? std::optional(block.number_where) : std::nullopt), changes(std::move(its_changes)) {}
+    std::string text;
+    std::optional<Span> number;
+    LineChanges changes;
+  };
+
+  /// Returns the repeated line with a number of its own, or with none if the program has none.
+  static std::string numbered(Copied& line, BlockStyle& style) {
+    if (line.number) {
+      std::string number = style.next_number();
+      Span where = *line.number;
+      while (number.empty() && where.end < line.text.size() && line.text[where.end] == ' ') ++where.end;
+      line.changes.replace(where, std::move(number));
+    }
+    return line.changes.applied(line.text);
   }
 
   const EditedSource& program_;

@@ -98,13 +98,19 @@ bool PlaneEditor::reverses(Plane plane) const {
   return normal.x + normal.y < 0;
 }
 
+/// Sets the unit of the words. The position is known in the old unit only.
+void PlaneEditor::set_unit(bool inch) {
+  if (inch_ != inch) at_[0].reset(), at_[1].reset();
+  inch_ = inch;
+}
+
 void PlaneEditor::note_mode(const CodeRow& row) {
   constexpr int zx_code = 18, yz_code = 19;
   switch (row.function) {
     case Function::absolute: incremental_ = false; break;
     case Function::incremental: incremental_ = true; break;
-    case Function::inch: inch_ = true; break;
-    case Function::millimetre: inch_ = false; break;
+    case Function::inch: set_unit(true); break;
+    case Function::millimetre: set_unit(false); break;
     case Function::centers_absolute: centres_absolute_ = true; break;
     case Function::centers_incremental: centres_absolute_ = false; break;
     case Function::plane_xy: plane_ = Plane::xy; break;
@@ -255,23 +261,28 @@ double PlaneEditor::rounded(const Word& like, char letter, bool is_increment, do
 /// Maps a pair of words. `missing`: the values of words that the block does not state; nullopt: they are not known.
 EditStatus PlaneEditor::map_pair(const Block& block, const Pair& pair, Places places, std::optional<Vec2> missing, LineChanges& to) {
   if ((pair.words[0] == nullptr && pair.words[1] == nullptr) || places == Places::kept) return {};
-  if (map_.is_quarter()) return map_quarter(block, pair, places, to);
+  const bool adds_one = states_both_ && places == Places::points && pair.letters[0] == 'X';
+  if (adds_one) states_both_ = false;
+  if (map_.is_quarter() && (!adds_one || (pair.words[0] != nullptr && pair.words[1] != nullptr)))
+    return map_quarter(block, pair, places, to);
   if (places == Places::names) return fault(block, translated(texts::edit::only_quarters));
   const int only = pair.words[0] == nullptr ? 1 : 0;
   for (const Word* const word : pair.words)
-    if (word != nullptr && word->expression) return fault(block, translated(texts::edit::computed_word, block.text_of(word->where)));
-  if (!missing && (pair.words[0] == nullptr || pair.words[1] == nullptr))
+    if (word != nullptr && word->expression && !map_.is_quarter())
+      return fault(block, translated(texts::edit::computed_word, block.text_of(word->where)));
+  const Word& pattern = *pair.words[only];
+  if ((!missing || (adds_one && pattern.expression)) && (pair.words[0] == nullptr || pair.words[1] == nullptr))
     return fault(block, translated(texts::edit::position_unknown, std::string(1, pair.letters[1 - only])));
   Vec2 value = missing.value_or(Vec2{});
   if (pair.words[0] != nullptr) value.x = pair.words[0]->value;
   if (pair.words[1] != nullptr) value.y = pair.words[1]->value;
   Vec2 made = map_.vector(value);
   if (places == Places::points) made = made + program_units(map_.by);
-  const Word& pattern = *pair.words[only];
   const bool is_packed = block.word_count > 1 && block.text.find(' ') == std::string_view::npos;
   for (const int i : {0, 1}) {
     const Word& like = pair.words[i] != nullptr ? *pair.words[i] : pattern;
-    const double wanted = rounded(like, pair.letters[i], places == Places::vectors, i == 0 ? made.x : made.y);
+    const double exact = i == 0 ? made.x : made.y;
+    const double wanted = map_.is_quarter() ? exact : rounded(like, pair.letters[i], places == Places::vectors, exact);
     auto text = text_of(block, like, pair.letters[i], wanted);
     if (!text) return fault(block, translated(texts::edit::does_not_fit, block.text_of(like.where), wanted));
     const Span where = without_blanks(block, like.where);

@@ -20,6 +20,11 @@ class PlaneEditor {
 
   /// Adds the changes of the block's words. Must be called for each block in order.
   tl::expected<void, EditFault> change(const Block& block, LineChanges& to);
+  /// The next position in work coordinates that states X or Y gets both words: the tool may stand elsewhere than the text says. Refused
+  /// where the other one is not known.
+  void state_both() { states_both_ = true; }
+  /// True if that position has not come yet.
+  bool will_state_both() const { return states_both_; }
   /// Returns the number of words that were changed since the last call.
   std::size_t take_changed() { return std::exchange(changed_, 0); }
 
@@ -40,6 +45,7 @@ class PlaneEditor {
 
   tl::expected<Codes, EditFault> look(const Block& block);
   void note_mode(const CodeRow& row);
+  void set_unit(bool inch);
   EditStatus swap_code(const Block& block, const Word& word, const CodeRow& row, LineChanges& to);
   EditStatus plane_code(const Block& block, const Word& word, const CodeRow& row, LineChanges& to);
   EditStatus axis_words(const Block& block, const Codes& codes, LineChanges& to);
@@ -66,6 +72,7 @@ class PlaneEditor {
   Plane plane_ = Plane::xy;
   Cycle cycle_ = Cycle::none;
   bool incremental_ = false, inch_ = false, centres_absolute_ = false, arc_ = false;
+  bool states_both_ = false;     // see state_both()
   double lost_[2] = {0, 0};      // how far the position is from the exact one because of rounded words
   std::optional<double> at_[2];  // position in the words of the program, if it is known
 };

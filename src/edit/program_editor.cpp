@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "base/ascii.h"
 #include "config/control/control_def.h"
 #include "edit/block_editor.h"
 #include "lang/block/block_reader.h"
+#include "lang/text/executed_comment.h"
 #include "lang/text/written_letters.h"
 #include "texts/edit.h"
 
@@ -15,17 +15,6 @@ namespace kadr {
 namespace {
 
 constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
-
-/// True for comments that the control executes, such as (MSG,…) and (DEBUG,…) of RS274/NGC (spec/linuxcnc 3.4): they are no remarks.
-bool is_executed(std::string_view comment) {
-  while (comment.starts_with(' ')) comment.remove_prefix(1);
-  for (const std::string_view word : {"MSG", "DEBUG", "PRINT", "LOG", "PROBE", "AXIS", "PREVIEW", "ABORT", "PY"}) {
-    if (comment.size() <= word.size()) continue;
-    const bool is_word = std::equal(word.begin(), word.end(), comment.begin(), [](char a, char b) { return a == to_upper(b); });
-    if (is_word) return true;
-  }
-  return false;
-}
 
 class ProgramWriter {
  public:
@@ -75,7 +64,7 @@ class ProgramWriter {
   /// Removes a comment with its brackets, or with its semicolon, and the blanks before it.
   void remove_comment(Span inside) {
     const std::string_view text = block_.text;
-    if (is_executed(block_.text_of(inside)) || inside.begin == 0) return;
+    if (is_executed_comment(block_.text_of(inside)) || inside.begin == 0) return;
     Span where{inside.begin - 1, inside.end};
     if (text[where.begin] == '(' && where.end < text.size() && text[where.end] == ')') ++where.end;
     else if (text[where.begin] == '/' && where.begin > 0) --where.begin;
@@ -133,8 +122,8 @@ class ProgramWriter {
     const std::size_t begin = text.find_first_not_of(" \t");
     if (begin == std::string_view::npos) return false;
     const std::size_t end = text.find_last_not_of(" \t\r");
-    if (text[begin] == ';') return (grammar_.semicolon_comments || grammar_.semicolon_ends) && !is_executed(text.substr(begin + 1));
-    return text[begin] == '(' && text[end] == ')' && text.find(')') == end && !is_executed(text.substr(begin + 1, end - begin - 1));
+    if (text[begin] == ';') return (grammar_.semicolon_comments || grammar_.semicolon_ends) && !is_executed_comment(text.substr(begin + 1));
+    return text[begin] == '(' && text[end] == ')' && text.find(')') == end && !is_executed_comment(text.substr(begin + 1, end - begin - 1));
   }
 
   /// Writes the present line, with its changes.

@@ -116,7 +116,7 @@ void PanelMachine::begin(Run::Of of, std::size_t channel) {
     if (moves && !lanes_[i]->waits()) begin_leg(i);
   }
   lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;
-  if (of == Run::Of::program) stepping_->begin(how_.value_or(panel_state_.single ? Stepping::How::block : Stepping::How::free));
+  if (of == Run::Of::program) stepping_->begin(how_.value_or(panel_state_.single ? Stepping::How::single : Stepping::How::free));
   play();
 }
 

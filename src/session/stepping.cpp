@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "base/ascii.h"
+#include "lang/block/block_reader.h"
 #include "lang/expression/expression.h"
+#include "lang/text/executed_comment.h"
 
 namespace kadr {
 namespace {
@@ -79,10 +81,27 @@ bool Stepping::ends_at_target(const Origin& origin, bool same_line, bool begins_
   return ran_out_;
 }
 
-bool Stepping::asks_for(const Origin& origin, bool same_line) const {
+/// Returns true if nothing but comments is in the block's line. A comment that the control executes, such as (MSG, …), is more.
+bool Stepping::is_remark(const Origin& origin) const {
+  const AlarmReport::Line line = session_.control().line_at(origin);
+  BlockReader reader(text_source(line.text), session_.def().grammar, Encoding::utf8);
+  Block block;
+  for (;;) {
+    const auto got = reader.next(block);
+    if (got && *got == BlockReader::Got::end) return true;
+    if (!got || block.word_count != 0 || !block.assignments.empty() || block.statement.kind != StatementKind::none ||
+        block.marker != Marker::none || block.broken)
+      return false;
+    for (const Span comment : block.comments)
+      if (is_executed_comment(block.text_of(comment))) return false;
+  }
+}
+
+bool Stepping::asks_for(const Origin& origin, bool same_line) {
   if (past_ != 0) return past_at_ && origin.depth <= *past_at_ && !(same_line && origin.line == past_);
   switch (how_) {
     case How::block: return true;
+    case How::single: return !is_remark(origin) && !std::exchange(only_remarks_, false);
     case How::over: return origin.depth <= depth_;
     case How::out: return origin.depth < depth_;
     default: return false;
@@ -143,6 +162,7 @@ void Stepping::begin(How how) {
   how_ = how;
   target_.reset();
   past_ = 0;
+  only_remarks_ = how == How::single && next_ && is_remark(*next_);
   set_out();
 }
 

@@ -43,6 +43,9 @@ class Stepping {
   enum class How : std::uint8_t {
     // the session is held before the next block, even if that block has no action; at a call, before the first block of the subprogram
     block,
+    // like `block`, but a block that only has a comment is executed together with the next one: a press of START executes something.
+    // INFERRED: no manual says that the control stops at a comment
+    single,
     over,  // the session is held before the next block outside the calls that this block makes
     out,   // the session is held before the first block after the return from the innermost call
     free,  // the session runs until a stop point applies
@@ -114,7 +117,8 @@ class Stepping {
  private:
   bool must_hold(const Origin& origin);
   bool ends_at_target(const Origin& origin, bool same_line, bool begins_call);
-  bool asks_for(const Origin& origin, bool same_line) const;
+  bool asks_for(const Origin& origin, bool same_line);
+  bool is_remark(const Origin& origin) const;
   bool matches(const StopPoint& point, const Origin& origin, bool begins_call) const;
   bool is_file(const std::string& file, std::uint16_t reader) const;
   Session::State run();
@@ -131,7 +135,8 @@ class Stepping {
   bool again_ = false;
   std::uint64_t most_ = ~std::uint64_t{0};  // remaining number of blocks of go_to(), at first `max_blocks`
   bool ran_out_ = false;
-  bool entered_ = false;  // true: a line that the operator has entered is being executed
+  bool entered_ = false;       // true: a line that the operator has entered is being executed
+  bool only_remarks_ = false;  // true, for How::single: only comments have been executed so far
   bool hold_requested_ = false;
   std::optional<Origin> stood_;  // next block of the program, stored while an entered line is executed
   std::size_t hit_ = 0;

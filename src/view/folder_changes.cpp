@@ -15,7 +15,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/ascii.h"
 #include "config/read_file.h"
 #include "out/text/source_line.h"
 #include "texts/view.h"
@@ -29,8 +28,6 @@ using namespace served;
 namespace {
 
 using Refused = ServedFolder::Refused;
-
-constexpr const char* trash_folder = ".kadr-trash";
 
 tl::unexpected<Refused> refused_with(const std::string& file, int error) {
   if (error == EEXIST) return tl::unexpected(Refused{translated(texts::view::name_is_taken, file), true});
@@ -122,8 +119,7 @@ tl::expected<std::string, Refused> ServedFolder::remove(const std::string& file)
 }
 
 tl::expected<void, Refused> ServedFolder::restore(const std::string& trash, const std::string& file) const {
-  const bool is_place = !trash.empty() && std::all_of(trash.begin(), trash.end(), [](char c) { return is_digit(c) || c == '-'; });
-  if (!is_place || !is_good_path(file)) return tl::unexpected(Refused{refusal(visible_name(file))});
+  if (!is_place_in_trash(trash) || !is_good_path(file)) return tl::unexpected(Refused{refusal(visible_name(file))});
   const std::lock_guard hold(changes_lock());
   const OpenFile all = served::open(fd_, trash_folder, O_RDONLY | O_DIRECTORY);
   if (!all.is_open()) return refused_with(file, errno);

@@ -220,10 +220,28 @@ std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& t
   };
 }
 
+namespace {
+
+/// True if the blank, turned in any way, is as large as the cut.
+bool holds(const BoxComment& blank, const Box& cut) {
+  std::array<double, 3> size = blank.size, wanted = {cut.most.x - cut.least.x, cut.most.y - cut.least.y, cut.most.z - cut.least.z};
+  std::sort(size.begin(), size.end()), std::sort(wanted.begin(), wanted.end());
+  for (std::size_t i = 0; i < size.size(); ++i)
+    if (size[i] < wanted[i]) return false;
+  return true;
+}
+
+}  // namespace
+
 BlankHints blank_hints(const ProgramRun& run) {
   const bool inch = comments_in_inches(run.control(), run.statistics().extents().units());
   const ProgramLines lines = lines_of(run.control());
-  return {{stated_blank(lines, inch), run.opened().setup.chuck_face}, stated_box(lines, inch)};
+  auto box = stated_box(lines, inch);
+  // A program that cuts in both units does not tell that of its comments: millimetres, unless only inches are large enough for what it cuts
+  const RunExtents& extents = run.statistics().extents();
+  if (box && extents.unit() == LengthUnit::mixed && !holds(box->size, extents.cutting_box()))
+    if (auto in_inches = stated_box(lines, true); in_inches && holds(in_inches->size, extents.cutting_box())) box = std::move(in_inches);
+  return {{stated_blank(lines, inch), run.opened().setup.chuck_face}, std::move(box)};
 }
 
 bool is_turning(const ProgramRun& run) {

@@ -26,6 +26,19 @@ struct FolderList {
   bool more = false;                 // true if the folder has more than max_entries entries
 };
 
+/// A file in the trash.
+struct TrashEntry {
+  std::string trash;         // its place in the trash, for ServedFolder::restore()
+  std::string file;          // the name that it had, relative to the served folder
+  std::uint64_t size = 0;    // bytes
+  std::int64_t deleted = 0;  // when it was deleted, s since 1970; 0: not known
+};
+
+struct TrashList {
+  std::vector<TrashEntry> entries;  // the file that was deleted last comes first
+  bool more = false;                // true if there are more than max_entries
+};
+
 /// Identifies the contents of a file. If the digest of a file differs from its digest at an earlier reading, the file has been changed or
 /// replaced.
 using FileDigest = std::string;
@@ -38,6 +51,7 @@ struct FileText {
 class ServedFolder : public FileAccess {
  public:
   static constexpr std::size_t max_entries = 10'000;
+  static constexpr const char* trash_folder = ".kadr-trash";
   static constexpr std::size_t max_saved = std::size_t{16} << 20;  // greatest size of a saved file, bytes
 
   /// Opens a folder to serve it.
@@ -87,6 +101,13 @@ class ServedFolder : public FileAccess {
   tl::expected<std::string, Refused> remove(const std::string& file) const;
   /// Moves a file from the trash to the place where it was.
   tl::expected<void, Refused> restore(const std::string& trash, const std::string& file) const;
+  // ---- in folder_trash.cpp
+  /// Lists the files in the trash. A missing trash is an empty one.
+  tl::expected<TrashList, std::string> trash() const;
+  /// Deletes files in the trash for good. What others have put into the folder of the trash stays there.
+  ///   only     the place of one file (TrashEntry::trash); empty: all
+  ///   returns  how many files were deleted
+  tl::expected<std::size_t, Refused> empty_trash(const std::string& only) const;
   /// Creates a folder, unless it exists.
   tl::expected<void, Refused> make_folder(const std::string& folder) const;
   static constexpr std::size_t max_copied = std::size_t{64} << 20;
@@ -98,6 +119,9 @@ class ServedFolder : public FileAccess {
   int fd_;
   std::string path_, name_;
 };
+
+/// Returns true for names of the folders in the trash in which removed files are: 20261129-162500-2.
+bool is_place_in_trash(const std::string& name);
 
 /// Returns the kind of a file; only the name of the file decides.
 FolderEntry::Kind kind_of_file(std::string_view name);

@@ -38,6 +38,20 @@ TEST(stepping, holds_before_each_block_that_holds_anything) {
   EXPECT_EQ(lines(stepping, How::block, 12), (std::vector<std::uint32_t>{1, 2, 3, 9, 10, 11, 12, 4, 6, 7, 3, 9}));
 }
 
+TEST(stepping, single_block_does_not_stop_at_comments) {
+  ASession s("linuxcnc", "(PLATE)\n; BY HAND\nG21 G90\n(SLOT)\nN20 (IN)\nG0 X1 (FAST)\n(MSG, turn)\n(END)\nM2\n");
+  Stepping stepping(*s);
+  EXPECT_EQ(stepping.go(How::block), State::held) << "the machine is loaded";
+  EXPECT_EQ(stepping.next()->line, 1U);
+  EXPECT_EQ(lines(stepping, How::single, 2), (std::vector<std::uint32_t>{6, 7})) << "the first press executes G21 G90";
+}
+
+TEST(stepping, single_block_at_the_last_block) {
+  ASession s("mach3", "G21 G90\n(END)\nG0 X1\n(OFF)\nM30\n(REST)\n");
+  Stepping stepping(*s);
+  EXPECT_EQ(lines(stepping, How::single), (std::vector<std::uint32_t>{1, 3, 5}));
+}
+
 TEST(stepping, over_stays_out_of_calls) {
   ASession s("nct", calls);
   Stepping stepping(*s);

@@ -86,6 +86,39 @@ export function file_steps({ kadr, page, pictures, only }) {
       await until("it is back", () => row("copy.nc").count());
       must(existsSync(on_disk("copy.nc")), "not back on the disk");
     },
+    async "the trash: put back, deleted for good"() {
+      if (!kadr.folder) return skipped;
+      for (const name of ["copy.nc", "one.nc"]) {
+        await row(name).focus();
+        await page.keyboard.press("Delete");
+        await until(`${name} is gone`, async () => !(await row(name).count()));
+      }
+      await page.click(".files-verbs button:has-text('Trash')");
+      await until("both", async () => (await count(".trash tbody tr")) === 2);
+      await page.screenshot({ path: join(pictures, "trash.png") });
+      await page.click(".trash tr:has-text('one.nc') button:has-text('Put back')");
+      await until("one left", async () => (await count(".trash tbody tr")) === 1);
+      must(existsSync(on_disk("one.nc")), "not back on the disk");
+      await page.click(".dialog-head button:has-text('Empty')");
+      await page.click(".dialog-body button:has-text('Empty the trash')");
+      await until("empty", async () => !(await count(".trash tbody tr")));
+      must(!readdirSync(join(kadr.folder, ".kadr-trash")).length, "the file is not gone");
+      await page.keyboard.press("Escape");
+      await until("closed", async () => !(await count(".trash")));
+      writeFileSync(on_disk("copy.nc"), program("COPY"));
+    },
+    async "the report of the open program is saved as a file"() {
+      if (!kadr.folder) return skipped;
+      const [saved] = await Promise.all([
+        page.waitForEvent("download"),
+        page.click(".topbar button:has-text('Report')"),
+      ]);
+      const file = join(pictures, "page_report.html");
+      await saved.saveAs(file);
+      must(saved.suggestedFilename() === "renamed.html", `its name: ${saved.suggestedFilename()}`);
+      const html = readFileSync(file, "utf8");
+      must(html.startsWith("<!doctype html>") && html.includes("kadr-data"), "no report");
+    },
     async "dropped on the page: copied and opened; a second of its name is asked about"() {
       if (!kadr.folder) return skipped;
       await dropped([["dropped.nc", program("DROPPED")]]);

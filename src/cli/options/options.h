@@ -122,8 +122,8 @@ struct EditOptions {
   std::string program;
   Options run;  // options with which the program runs
   Edits edits;
-  std::string out;           // output file; empty: standard output
-  double tolerance = 0.001;  // permitted distance between the paths of the old and the new program, mm
+  std::string out;       // output file; empty: standard output
+  double tolerance = 0;  // permitted distance between the paths of the old and the new program, mm; 0: the usual one
 };
 int edit(const EditOptions& options);
 

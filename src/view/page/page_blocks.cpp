@@ -1,9 +1,11 @@
 // Answers the request `write_blocks`: blocks of the open program's control, written from figures: drilling cycles, an arc by three points,
-// a corner with a chamfer or a rounding. Nothing is inserted here. Used by view/page/page_session; tested by tests/serve_edit.py.
+// a corner with a chamfer or a rounding, with block numbers and end marks as the program has them. Nothing is inserted here. Used by
+// view/page/page_session; tested by tests/serve_edit.py.
 
 #include <algorithm>
 #include <cmath>
 
+#include "edit/block_style.h"
 #include "out/program/codes.h"
 #include "out/program/words.h"
 #include "texts/page.h"
@@ -13,8 +15,9 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_holes = 1000;
-constexpr double most_value = 1e6;   // of any figure
-constexpr double least_sine = 1e-9;  // sine of the angle at which three points count as a line
+constexpr double most_value = 1e6;                        // of any figure
+constexpr std::size_t max_styled = std::size_t{8} << 20;  // greatest size of a program whose blocks are looked at, bytes
+constexpr double least_sine = 1e-9;                       // sine of the angle at which three points count as a line
 using Lines = tl::expected<std::vector<std::string>, std::string>;
 
 bool is_cycle(const CodeRow& row) {
@@ -87,6 +90,17 @@ class BlockText {
   std::string line_, fault_;
   std::vector<std::string> lines_;
 };
+
+/// Returns the code of a rapid or a line, "G1" or "G01", as this control writes it; nullopt for any other code.
+std::optional<std::string> motion_code(const ControlDef& def, const std::string& code) {
+  constexpr std::int32_t tenths = 10;
+  if (code.size() < 2 || code.size() > 3 || code.find_first_not_of("0123456789", 1) != std::string::npos) return std::nullopt;
+  for (const CodeRow& row : def.codes)
+    if ((row.function == Function::rapid || row.function == Function::linear) && row.letter == code.front() &&
+        row.tenth == tenths * std::stoi(code.substr(1)))
+      return with_digits(def, row);
+  return std::nullopt;
+}
 
 tl::unexpected<std::string> wrong_figure(const char* name) { return tl::unexpected(translated(texts::page::figure_wanted, name)); }
 
@@ -187,11 +201,23 @@ PageSession::Inside::Answer PageSession::Inside::write_blocks(const PageJson& qu
   const std::string what = value_in<std::string>(question, "what", "");
   const bool inch = value_in<std::string>(question, "unit", "mm") == "inch";
   if (what == "cycles") return cycles_json(def, lang);
-  const Lines made = what == "cycle"    ? cycle_lines(def, question, inch)
-                     : what == "arc"    ? arc_lines(def, question, inch)
-                     : what == "corner" ? corner_lines(def, question, inch)
-                                        : Lines(wrong_figure("what"));
+  Lines made = what == "cycle"    ? cycle_lines(def, question, inch)
+               : what == "arc"    ? arc_lines(def, question, inch)
+               : what == "corner" ? corner_lines(def, question, inch)
+                                  : Lines(wrong_figure("what"));
   if (!made) return refused(made.error());
+  if (const std::string motion = value_in<std::string>(question, "motion", ""); !motion.empty()) {
+    auto code = motion_code(def, motion);
+    if (!code) return refused(translated(texts::page::figure_wanted, "motion"));
+    made->push_back(std::move(*code));
+  }
+  if (source->bytes() <= max_styled) {
+    const double after = value_in<double>(question, "after", -1);
+    const bool is_line = after >= 0 && after <= max_styled;
+    BlockStyle style = BlockStyle::of(text_source(source->whole()), Encoding::utf8, def,
+                                      is_line ? std::optional(std::uint32_t(after)) : std::nullopt, token());
+    for (std::string& one : *made) one = style.block(one);
+  }
   return PageJson{{"cycles", PageJson::array()}, {"retract", PageJson::array()}, {"lines", *made}};
 }
 

@@ -1,5 +1,5 @@
-// Answers the requests `digest`, `rename`, `copy`, `delete` and `restore`, about files of the served folder. Used by
-// view/page/page_session; tested by tests/serve_files.py.
+// Answers the requests `digest`, `rename`, `copy`, `delete`, `restore`, `trash` and `empty_trash`, about files of the served folder. Used
+// by view/page/page_session; tested by tests/serve_files.py.
 
 #include "texts/page.h"
 #include "view/page/page_inside.h"
@@ -59,6 +59,25 @@ PageSession::Inside::Answer PageSession::Inside::restore_file(const PageJson& qu
   const std::string trash = value_in<std::string>(question, "trash", ""), file = value_in<std::string>(question, "file", "");
   if (const auto restored = server.folder.restore(trash, file); !restored) return refused_because(restored);
   return PageJson::object();
+}
+
+PageSession::Inside::Answer PageSession::Inside::trash(const PageJson&) {
+  const auto list = server.folder.trash();
+  if (!list) return refused(list.error());
+  PageJson entries = PageJson::array();
+  for (const TrashEntry& one : list->entries)
+    entries.push_back({{"trash", one.trash}, {"file", one.file}, {"size", one.size}, {"deleted", one.deleted}});
+  PageJson json = {{"entries", std::move(entries)}};
+  if (list->more) json["more"] = true;
+  return json;
+}
+
+/// Deletes one file in the trash, or all, for good.
+PageSession::Inside::Answer PageSession::Inside::empty_trash(const PageJson& question) {
+  if (!may_change) return refused(translated(texts::page::may_not_save));
+  const auto deleted = server.folder.empty_trash(value_in<std::string>(question, "trash", ""));
+  if (!deleted) return refused_because(deleted);
+  return PageJson{{"deleted", *deleted}};
 }
 
 }  // namespace kadr

@@ -14,6 +14,7 @@
 #include "view/page/page_json.h"
 #include "view/page/page_session.h"
 #include "view/part_run.h"
+#include "view/report/page_report.h"
 #include "view/source_text.h"
 #include "view/stock_guess.h"
 
@@ -70,6 +71,8 @@ struct PageSession::Inside {
   Answer copy(const PageJson& question);
   Answer remove(const PageJson& question);
   Answer restore_file(const PageJson& question);
+  Answer trash(const PageJson& question);
+  Answer empty_trash(const PageJson& question);
   std::string fault_of_change(const std::string& file) const;
   // ---- requests that are answered in page_examples.cpp
   Answer examples(const PageJson& question);
@@ -97,6 +100,8 @@ struct PageSession::Inside {
   std::optional<FileText> setup_file(const std::string& file) const;
   // ---- requests that are answered in page_sheet.cpp
   Answer sheet(const PageJson& question);
+  // ---- requests that are answered in page_reporting.cpp
+  Answer report(const PageJson& question);
   // ---- requests that are answered in page_compare.cpp
   Answer compare(const PageJson& question);
   // ---- requests that are answered in page_making.cpp and page_tape.cpp
@@ -183,9 +188,10 @@ struct PageSession::Inside {
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;
   StockGuess guess;
-  std::unique_ptr<PartRun> part_run;  // the run that cuts the blank; nullptr if nothing has been cut yet
-  std::uint64_t page = 0;             // number of this page in the hub of the panel machines; 0 if the page has not displayed a machine yet
-  std::mutex place_lock;              // mutex for hub_machine, which another thread uses for an emergency stop
+  std::unique_ptr<PartRun> part_run;      // the run that cuts the blank; nullptr if nothing has been cut yet
+  std::vector<ReportPart::Hit> cut_hits;  // findings of that run
+  std::uint64_t page = 0;  // number of this page in the hub of the panel machines; 0 if the page has not displayed a machine yet
+  std::mutex place_lock;   // mutex for hub_machine, which another thread uses for an emergency stop
   std::shared_ptr<PanelHub::HubMachine> hub_machine;
 };
 

@@ -223,7 +223,7 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
   if (key == "run") return answer_of((*machine)->run());
-  if (key == "block") return answer_of((*machine)->run(Stepping::How::block));
+  if (key == "block") return answer_of((*machine)->run(Stepping::How::single));
   if (key == "over") return answer_of((*machine)->run(Stepping::How::over));
   if (key == "out") return answer_of((*machine)->run(Stepping::How::out));
   if (key == "hold") return answer_of((*machine)->hold());

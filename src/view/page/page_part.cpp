@@ -158,7 +158,9 @@ void PageSession::Inside::cut_part() {
     end_if_memory_is_full();
     if (gone) stops = true;
   };
+  cut_hits.clear();
   part_run->on_finding = [&](const CutFinding& f, const AlarmReport& report) {
+    cut_hits.push_back({f, report});
     const PageJson reported = problem(report);
     marks.push_back(cut_mark_json(reported, f));
     PageJson event = {{"event", "finding"}};

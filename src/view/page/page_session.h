@@ -45,6 +45,12 @@ class LastOpened {
   std::string file_;  // name of the file; empty if no page has opened a file
 };
 
+/// The viewer of which reports are made (view/report/page_report), and the licence texts of its components. The text is empty if the
+/// program was built without the viewer.
+struct ReportViewer {
+  std::string_view html, licences;
+};
+
 /// The data that all pages of a server share.
 struct PageServer {
   const ServedFolder& folder;
@@ -56,6 +62,7 @@ struct PageServer {
   PanelHub* hub = nullptr;              // the operator panels of the server; nullptr if the server has no operator panels
   PanelJournal* journal = nullptr;      // saved data of the panel machines; must be set if `hub` is set
   const MemoryBound* memory = nullptr;  // memory limit for all sessions together; nullptr: no limit
+  ReportViewer viewer{};
 };
 
 class PageSession {

@@ -205,11 +205,12 @@ export class BlocksDialog {
     this.lines = [];
     let told: HTMLElement[] = [h("p", { class: "note" }, t("blocks_fill_in"))],
       lines: string[] = [];
-    const motion = motion_at(app.state, this.verbs.selected()?.to ?? 0);
+    const after = this.verbs.selected()?.to ?? 0,
+      motion = motion_at(app.state, after);
     if (question && motion === null) told = [h("p", { class: "hint error" }, t("blocks_no_line"))];
     else if (question && app.text !== null && this.dialog.open)
       try {
-        lines = [...(await app.client.ask("write_blocks", question)).lines, motion!];
+        lines = (await app.client.ask("write_blocks", { ...question, motion: motion!, after })).lines;
         const faults = await this.faults(lines);
         told = faults.length
           ? [h("p", { class: "hint error" }, t("blocks_refused")), ...faults.map((p) => h("p", null, p.text))]

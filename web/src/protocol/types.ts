@@ -63,6 +63,7 @@ export interface Questions extends FileQuestions {
   part: [{ at: number }, PartAnswer];
   proposals: [{ tools?: string }, Proposals];
   sheet: [object, Sheet];
+  report: [object, { html: string; name: string }];
   setup_form: [object, SetupForm];
   keep_tools: [{ file: string; digest: string | null; tools: Tool[] }, { digest: string }];
   keep_setup: [{ file: string; digest: string | null; values: JsonTable }, { digest: string }];

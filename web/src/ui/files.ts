@@ -10,6 +10,7 @@ import { icon } from "./icons";
 import { FileActions } from "./file_actions";
 import { open_menu } from "./row_menu";
 import { may_leave } from "./save";
+import { show_trash } from "./trash";
 import { Upload } from "./upload";
 
 const is_drawing = (name: string): boolean => /\.(dxf|svg)$/i.test(name);
@@ -105,6 +106,7 @@ export class FilesDrawer {
       button(t("to_tape"), () => this.verbs.to_tape(), { "data-needs": "program" }),
       button(t("from_tape"), () => this.verbs.from_tape(this.folder)),
       button(t("convert"), () => this.verbs.convert(), { "data-needs": "program" }),
+      button(t("trash"), () => void show_trash(this.app, (folder) => void this.go(folder)), { title: t("trash_long") }),
     );
     this.mark();
   }

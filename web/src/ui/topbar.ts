@@ -7,6 +7,7 @@ import { language, on_language, set_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { clock, short } from "./figures";
 import { icon } from "./icons";
+import { save_report } from "./report_file";
 
 /// A missing verb has no button: a report has no files, runs nothing and compares nothing.
 export interface TopbarVerbs {
@@ -70,6 +71,7 @@ export class Topbar {
       this.told,
       h("span", { class: "grow" }),
       button(t("sheet"), verbs.sheet, { disabled: !app.done }),
+      verbs.files && button(t("report"), () => void save_report(app), { disabled: !app.done, title: t("report_long") }),
       verbs.edit && button(t("edit_program"), verbs.edit, { disabled: !o }),
       verbs.compare && button(t("compare"), verbs.compare, { disabled: !app.done }),
       verbs.licences && button(t("licences"), verbs.licences),

@@ -21,9 +21,10 @@ export interface CycleRow {
   words: { letter: string; needed: boolean }[];
 }
 export type Point = [number, number];
-/// Figures in the unit of the program.
-export type BlocksQuestion =
-  | { what: "cycles" }
+/// Figures in the unit of the program. `motion`: the code that is to be in force after the blocks; `after`: the line that they
+/// follow, for their numbers.
+export type BlocksQuestion = ({ what: "cycles" } | WrittenFigures) & { motion?: string; after?: number };
+type WrittenFigures =
   | {
       what: "cycle";
       code: string;
