@@ -8,16 +8,19 @@ from __future__ import annotations
 import argparse
 import concurrent.futures
 import os
+import queue
 import signal
 import subprocess
 import sys
 import tempfile
 import threading
+import warnings
 from pathlib import Path
 from typing import Any, Callable, Iterator, NamedTuple, Optional, Sequence
 
 from . import texts
 from .children import CannotWork, WrongBuild
+from .places import is_program_name
 from .progress import Bar
 from .work import build, kadr_program
 
@@ -113,7 +116,7 @@ def end_running() -> None:
 
 
 def named_files(words: Sequence[str]) -> dict[str, bytes]:
-    """Returns the files that words name, as NAME or --option=NAME, and the files next to the program, which it may call."""
+    """Returns the files that words name, as NAME or --option=NAME, and the programs next to the program, which it may call."""
     files: dict[str, bytes] = {}
     for word in words:
         name = word.partition('=')[2] if word.startswith('--') else word
@@ -122,7 +125,7 @@ def named_files(words: Sequence[str]) -> dict[str, bytes]:
     program = next((Path(word) for word in words if not word.startswith('-') and Path(word).is_file()), None)
     size = sum(map(len, files.values()))
     for other in sorted(program.parent.iterdir()) if program else ():
-        if other.is_file() and not other.name.startswith('.') and str(other) not in files and size + other.stat().st_size < MOST_SENT:
+        if other.is_file() and is_program_name(other.name) and str(other) not in files and size + other.stat().st_size < MOST_SENT:
             files[str(other)] = other.read_bytes()
             size += len(files[str(other)])
     return files
@@ -162,28 +165,34 @@ def here(workers: int) -> Does:
     return do
 
 
-def on_cluster(of: argparse.Namespace) -> Does:
-    """Returns a function that cuts windows with a Dask cluster."""
+def on_cluster(of: argparse.Namespace) -> tuple[Does, Callable[[], None]]:
+    """Returns a function that cuts windows with a Dask cluster, and one that ends the connection."""
     from .cluster import connect
     distributed, client = connect(of.scheduler, of.scheduler_file)
 
     def do(windows: list[Window], stop: Callable[[], bool]) -> Iterator[tuple[Window, Cut]]:
-        left = {client.submit(do_window, window, pure=False): window for window in windows}
+        ready: queue.Queue[Any] = queue.Queue()
+        with warnings.catch_warnings():   # Dask advises against large arguments; scattered ones would be lost with their worker
+            warnings.simplefilter('ignore')
+            left = {client.submit(do_window, window, pure=False): window for window in windows}
+        for future in left:
+            future.add_done_callback(ready.put)
         try:
             while left and not stop():
                 try:
-                    distributed.wait(list(left), timeout=0.5, return_when='FIRST_COMPLETED')
-                except distributed.TimeoutError:
+                    future = ready.get(timeout=0.5)
+                    of = future.result(timeout=5)
+                except queue.Empty:
                     continue
-                for future in [future for future in left if future.done()]:
-                    try:
-                        yield left.pop(future), future.result()
-                    except distributed.KilledWorker as error:
-                        raise CannotWork(str(error)) from None
+                except distributed.TimeoutError:
+                    ready.put(future)   # its worker died with the result, which Dask computes again
+                    continue
+                except distributed.KilledWorker as error:
+                    raise CannotWork(str(error)) from None
+                yield left.pop(future), of
         finally:
             client.cancel(list(left), force=True)
-            client.close()
-    return do
+    return do, client.close
 
 
 def cut_all(windows: list[Window], does: Does, place: Path, bar: Bar, stop: Callable[[], bool]) -> Optional[Cut]:
@@ -221,14 +230,17 @@ def cut(given: Sequence[str], stop: Any) -> int:
     out = Path(named[0]) if named else Path()
     with tempfile.TemporaryDirectory(prefix='.kadr-cut-', dir=of.temporary or out.parent) as folder:
         clustered = bool(of.scheduler or of.scheduler_file)
-        does = on_cluster(of) if clustered else here(of.workers)
+        does, close = on_cluster(of) if clustered else (here(of.workers), lambda: None)
         count = of.windows or 2 * of.workers
         files = named_files(windowed) if of.by_content else {}
         seen = '' if of.by_content else str(Path(folder).resolve())
         if clustered and not of.by_content:
             windowed = absolute(windowed)
         windows = [Window(number, count, windowed, seen, files, build()) for number in range(1, count + 1)]
-        wrong = cut_all(windows, does, Path(folder), Bar(of.quiet), stop)
+        try:
+            wrong = cut_all(windows, does, Path(folder), Bar(of.quiet), stop)
+        finally:
+            close()
         if stop():
             print(texts.of('cut_interrupted'), file=sys.stderr)
             return 128 + int(stop.signal)
