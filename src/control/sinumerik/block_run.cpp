@@ -238,7 +238,12 @@ Status BlockRun::long_word(const NamedItem& item) {
   return store(name, *value, item);
 }
 
-Status BlockRun::bracketed(const NamedItem& item, double) const {
+Status BlockRun::bracketed(const NamedItem& item, double value) {
+  if (item.name == "G" && item.arguments.size() == 1) {
+    const auto group = own_.number(m_, read_, item.arguments[0], item.where);
+    if (!group) return fail(group.error());
+    if (const auto code = code_at_place(*group, value)) return code_word(item, 'G', *code);
+  }
   return fail(alarm(AlarmId::not_available, item.where, std::string_view(item.name + "[ ]=")));
 }
 

@@ -51,7 +51,7 @@ class BlockRun {
   Status store(const std::string& name, double value, const NamedItem& item);
   Status long_word(const NamedItem& item);
   /// S[1]=…, M[1]=…, G[8]=2.
-  Status bracketed(const NamedItem& item, double) const;
+  Status bracketed(const NamedItem& item, double value);
   Status add(char letter, double value, const NamedItem& item);
   Status add_code(char letter, double code, const NamedItem& item);
   Status code_word(const NamedItem& item, char letter, double code);

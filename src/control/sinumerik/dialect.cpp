@@ -15,19 +15,34 @@ std::unique_ptr<Dialect> make_sinumerik_dialect(BlockContext&, const Setup&, con
 namespace sinumerik {
 namespace {
 
+/// What a snapshot keeps: also the words of the block, because it may be taken before the block's end.
 struct Kept : DialectState {
-  explicit Kept(Memory all) : memory(std::move(all)) {}
+  Kept(Memory all, BlockWords of_block) : memory(std::move(all)), words(std::move(of_block)) {}
   Memory memory;
+  BlockWords words;
+  Axes previous{};
+  bool circle_by_name = false;
 };
 
 }  // namespace
 
 Sinumerik& sinumerik_of(const BlockContext& m) { return static_cast<Sinumerik&>(*m.dialect); }
 
-std::shared_ptr<const DialectState> Sinumerik::snapshot() const { return std::make_shared<Kept>(separate_copy(memory)); }
+std::shared_ptr<const DialectState> Sinumerik::snapshot() const {
+  auto kept = std::make_shared<Kept>(separate_copy(memory), words);
+  kept->previous = previous_;
+  kept->circle_by_name = circle_by_name_;
+  return kept;
+}
 
 Status Sinumerik::restore(BlockContext& m, const DialectState& from) {
-  memory = separate_copy(static_cast<const Kept&>(from).memory);
+  const Kept& then = static_cast<const Kept&>(from);
+  memory = separate_copy(then.memory);
+  words = then.words;
+  previous_ = then.previous;
+  circle_by_name_ = then.circle_by_name;
+  kept_ = false;
+  written_.clear();
   if (const auto transform = transform_of(memory.programmable)) m.transform = *transform;
   found_.clear();
   indices_.clear();

@@ -182,6 +182,9 @@ class Sinumerik final : public Dialect {
   bool circle_by_name_ = false;  // the block is CIP or CT, executed as an arc
 };
 
+/// Returns the G code at a place of its group, as G[8]=2 names G54 (spec/sinumerik 3.1, 4.1); nullopt if Kadr does not list it.
+std::optional<int> code_at_place(double group, double place);
+
 Sinumerik& sinumerik_of(const BlockContext& m);
 
 }  // namespace kadr::sinumerik

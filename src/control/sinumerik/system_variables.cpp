@@ -9,29 +9,38 @@
 namespace kadr::sinumerik {
 namespace {
 
+/// The codes of a group in the order of the manual's list (spec/sinumerik 4.1); empty for a group that Kadr does not list.
+const std::vector<std::string>& codes_in_group(int group) {
+  static const std::map<int, std::vector<std::string>> lists = {{1, {"G0", "G1", "G2", "G3"}},
+                                                                {6, {"G17", "G18", "G19"}},
+                                                                {7, {"G40", "G41", "G42"}},
+                                                                {8, {"G500", "G54", "G55", "G56", "G57"}},
+                                                                {10, {"G60", "G64", "G641", "G642", "G643", "G644", "G645"}},
+                                                                {12, {"G601", "G602", "G603"}},
+                                                                {13, {"G70", "G71", "G700", "G710"}},
+                                                                {14, {"G90", "G91"}},
+                                                                {15, {"G93", "G94", "G95", "G96", "G97"}},
+                                                                {18, {"G450", "G451"}}};
+  static const std::vector<std::string> none;
+  const auto list = lists.find(group);
+  return list == lists.end() ? none : list->second;
+}
+constexpr int frames_group = 8, first_further_frame = 505, further_frames_from = 6;  // G505 is the sixth code of group 8
+
 /// Returns the place of the code in force in its group, counted as in the manual's list (spec/sinumerik 4.1).
 double place_in_group(const BlockContext& m, double group) {
-  const std::string name = std::to_string(static_cast<int>(group));
+  const auto number = static_cast<int>(group);
+  const std::string name = std::to_string(number);
   for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
     if (m.def.groups[g].name != name) continue;
     const std::int16_t row = m.modal.rows[g];
     if (row < 0) return 0;
     const std::string& code = m.def.codes[static_cast<std::size_t>(row)].code;
-    static const std::map<std::string, std::vector<std::string>> lists = {{"1", {"G0", "G1", "G2", "G3"}},
-                                                                          {"6", {"G17", "G18", "G19"}},
-                                                                          {"7", {"G40", "G41", "G42"}},
-                                                                          {"8", {"G500", "G54", "G55", "G56", "G57"}},
-                                                                          {"10", {"G60", "G64", "G641", "G642", "G643", "G644", "G645"}},
-                                                                          {"12", {"G601", "G602", "G603"}},
-                                                                          {"13", {"G70", "G71", "G700", "G710"}},
-                                                                          {"14", {"G90", "G91"}},
-                                                                          {"15", {"G93", "G94", "G95", "G96", "G97"}},
-                                                                          {"18", {"G450", "G451"}}};
-    const auto list = lists.find(name);
-    if (list == lists.end()) return 0;
-    const auto at = std::find(list->second.begin(), list->second.end(), code);
-    if (at != list->second.end()) return static_cast<double>(at - list->second.begin() + 1);
-    if (name == "8" && code.size() == 4) return std::strtod(code.c_str() + 1, nullptr) - 505 + 6;
+    const auto& list = codes_in_group(number);
+    const auto at = std::find(list.begin(), list.end(), code);
+    if (at != list.end()) return static_cast<double>(at - list.begin() + 1);
+    if (number == frames_group && code.size() == 4)
+      return std::strtod(code.c_str() + 1, nullptr) - first_further_frame + further_frames_from;
     return 0;
   }
   return 0;
@@ -72,6 +81,15 @@ struct FrameAccess {
 constexpr int lengths[] = {3, 4, 5};
 
 }  // namespace
+
+std::optional<int> code_at_place(double group, double place) {
+  if (!(group >= 1 && group <= 100) || !(place >= 1 && place <= 1000) || place != std::round(place)) return std::nullopt;
+  const auto number = static_cast<int>(group), at = static_cast<int>(place);
+  const auto& list = codes_in_group(number);
+  if (at <= static_cast<int>(list.size())) return std::atoi(list[static_cast<std::size_t>(at) - 1].c_str() + 1);
+  if (number == frames_group && at - further_frames_from < 95) return first_further_frame + at - further_frames_from;
+  return std::nullopt;
+}
 
 std::optional<std::size_t> Sinumerik::axis_named(const BlockContext& m, std::string_view name) const {
   const auto found = std::find(m.axis_names.begin(), m.axis_names.end(), name);
