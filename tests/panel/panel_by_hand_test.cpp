@@ -123,22 +123,6 @@ TEST(PanelByHand, AFeedOverrideAbove100PercentIsFaster) {
   EXPECT_FALSE(panel->set_overrides(shares)) << "rapid motion is not faster than the machine";
 }
 
-TEST(PanelByHand, AnOverrideAbove100PercentWhileMovingActsFromTheNextBlocksOn) {
-  const APanel panel("G21 G90\nG1 F1200 X40\nX50\nX60\nX70\nX80\nX90\nX100\nX110\nX120\nX130\nX140\nX150\nM30\n");
-  ASSERT_TRUE(panel->run());
-  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.sample.speed > 1'199; }));
-  PanelOverrides shares;
-  shares.feed = 1.5;
-  ASSERT_TRUE(panel->set_overrides(shares));
-  double faster_from = 0;
-  ASSERT_TRUE(panel.until([&](const PanelState& s) {
-    if (s.sample.speed > 1'250 && faster_from == 0) faster_from = s.sample.machine[0];
-    return faster_from != 0 || s.mode == PanelMode::ended;
-  }));
-  EXPECT_GE(faster_from, 40) << "the block under way keeps its speed";
-  EXPECT_LE(faster_from, 40 + 60 + 2 * 10) << "blocks that begin more than 3 s later are planned with the new feed";
-}
-
 TEST(PanelByHand, AnOverrideBackTo100PercentActsAtOnce) {
   const APanel panel("G21 G90\nG1 F1200 X100\nM30\n");
   PanelOverrides shares;
