@@ -120,15 +120,19 @@ class Store:
         except sqlite3.DatabaseError as error:
             raise WrongFile(f'{file}: {error}') from None
 
+    def _tables(self) -> set[str]:
+        return {name for name, in self.db.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+
     def _open(self) -> None:
-        tables = {name for name, in self.db.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        tables = self._tables()
         if not tables:
             with self.changes():
-                for statement in TABLES.split(';\n'):
-                    if statement.strip():
-                        self.db.execute(statement)
-                self.db.execute('INSERT INTO archive VALUES (?, ?)', ('version', str(VERSION)))
-            return
+                if not self._tables():   # another client may have made them meanwhile
+                    for statement in TABLES.split(';\n'):
+                        if statement.strip():
+                            self.db.execute(statement)
+                    self.db.execute('INSERT INTO archive VALUES (?, ?)', ('version', str(VERSION)))
+            tables = self._tables()
         if 'archive' not in tables:
             raise WrongFile(f'{self.file}: an SQLite file, but not one of kadr-archive')
         version, = self.db.execute("SELECT value FROM archive WHERE key = 'version'").fetchone()
