@@ -26,6 +26,7 @@ struct Commands {
   ConvertOptions convert;
   EditOptions edit;
   ServeOptions serve;
+  LspOptions lsp;
   ReportOptions report;
   std::string machine;  // argument of the command `machines`; empty: all machines
   std::string shell;    // argument of the command `completion`

@@ -147,6 +147,12 @@ struct ServeOptions {
 };
 int serve(const ServeOptions& options);
 
+struct LspOptions {
+  bool stdio = false;  // accepted because editors state it; it has no effect
+  std::string lang;
+};
+int serve_language(const LspOptions& options);
+
 struct ExplainOptions {
   std::string control;
   std::string code;  // code that is explained; empty: the whole control is described

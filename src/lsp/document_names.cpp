@@ -1,0 +1,229 @@
+// DocumentNames: what a document names, and where. Used by lsp/navigation and lsp/outline; tested by tests/lsp/document_names_test.cpp.
+
+#include "lsp/document_names.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/ascii.h"
+#include "lang/block/lexer.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t longest_line = 10'000;                               // bytes; the rest of a longer line is not searched for names
+constexpr std::uint32_t first_shared_variable = 100;                       // #1 to #33 are local to a program (nct 23.1)
+constexpr std::int32_t first_figure_cycle = 700, last_figure_cycle = 739;  // G70 to G73, in tenths
+
+/// The letters of the words of a code that name blocks, and of those that name programs.
+struct Naming {
+  std::string_view blocks, programs;
+};
+
+Naming naming_of(const CodeRow& row) {
+  switch (row.function) {
+    case Function::return_program:
+    case Function::call_local:
+    case Function::jump_by_input: return {"P", ""};
+    case Function::turning_cycle: return {row.tenth >= first_figure_cycle && row.tenth <= last_figure_cycle ? "PQ" : "", ""};
+    case Function::call_program:
+    case Function::call_numbered:
+    case Function::macro_call:
+    case Function::macro_modal: return {"", "P"};
+    default: return {};
+  }
+}
+
+std::string without_zeros(std::string_view digits) {
+  while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+  return std::string(digits);
+}
+
+std::string in_small_letters(std::string_view text) {
+  std::string small;
+  for (const char c : text)
+    if (c != ' ' && c != '\t') small += to_lower(c);
+  return small;
+}
+
+/// Reads the names of one block.
+class BlockNames {
+ public:
+  BlockNames(const ControlDef& def, const Block& block, std::vector<NamedPlace>& to) : def_(def), block_(block), to_(to) {}
+
+  void find() {
+    if (block_.has_number) add_number(NameKind::block, true, block_.number_where);
+    if (block_.marker == Marker::label) add_number(NameKind::program, true, block_.where);
+    take_statement();
+    Naming naming;
+    for (std::uint32_t i = 0; i < block_.word_count; ++i) take_code(block_.words[i], naming);
+    for (std::uint32_t i = 0; i < block_.word_count; ++i) take_word(block_.words[i], naming);
+    take_variables();
+    const bool alone = block_.empty() && block_.comments.size() == 1;
+    if (alone) add(NameKind::heading, false, block_.comments.front(), std::string(block_.text_of(block_.comments.front())));
+  }
+
+ private:
+  void add(NameKind kind, bool defines, Span where, std::string name) {
+    if (where.end > where.begin) to_.push_back({kind, defines, where, std::move(name)});
+  }
+
+  /// Adds the digits of a span; the letter before them is no part of a name that the editor may change.
+  void add_number(NameKind kind, bool defines, Span where) {
+    const std::string_view text = block_.text_of(where);
+    const std::size_t begin = text.find_first_of("0123456789");
+    if (begin == std::string_view::npos) return;
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", begin), text.size());
+    add(kind, defines, {where.begin + std::uint32_t(begin), where.begin + std::uint32_t(end)},
+        without_zeros(text.substr(begin, end - begin)));
+  }
+
+  void take_statement() {
+    const Statement& statement = block_.statement;
+    switch (statement.kind) {
+      case StatementKind::go_to:
+        if (statement.value.end - statement.value.begin == 1 && block_.code[statement.value.begin].op == Op::number)
+          add_number(NameKind::block, false, block_.code[statement.value.begin].where);
+        break;
+      case StatementKind::loop: add(NameKind::opens, false, statement.where, loop_name()); break;
+      case StatementKind::loop_end: add(NameKind::closes, false, statement.where, loop_name()); break;
+      case StatementKind::o_word: take_label(); break;
+      default: break;
+    }
+  }
+
+  std::string loop_name() const { return "do" + std::to_string(block_.statement.loop); }
+
+  /// Adds the first and the last line of a loop, a condition or a subprogram. All lines of one of them have the same label. A loop that
+  /// begins with DO ends with WHILE, which looks like the beginning of another loop; folding_ranges() knows it by its label.
+  void take_label() {
+    const Statement& statement = block_.statement;
+    const Span where{statement.label_where.begin + 1, statement.label_where.end};  // without the letter O
+    if (where.end <= where.begin) return;
+    const std::string label = in_small_letters(block_.text_of(where));
+    switch (statement.o_word) {
+      case OWord::sub:
+      case OWord::do_:
+      case OWord::while_:
+      case OWord::repeat:
+      case OWord::if_: add(NameKind::opens, false, statement.where, label); break;
+      case OWord::endsub:
+      case OWord::endwhile:
+      case OWord::endrepeat:
+      case OWord::endif: add(NameKind::closes, false, statement.where, label); break;
+      default: break;
+    }
+    const bool defines = statement.o_word == OWord::sub || statement.o_word == OWord::label;
+    add(NameKind::label, defines, where, label);
+  }
+
+  const CodeRow* row_of(const Word& word) const {
+    const std::int32_t row = word.code < 0 ? -1 : def_.row_of(word.address, word.code);
+    return row < 0 ? nullptr : &def_.codes[static_cast<std::size_t>(row)];
+  }
+
+  void take_code(const Word& word, Naming& naming) const {
+    const CodeRow* const row = row_of(word);
+    if (row == nullptr) return;
+    const Naming of_code = naming_of(*row);
+    if (!of_code.blocks.empty()) naming.blocks = of_code.blocks;
+    if (!of_code.programs.empty()) naming.programs = of_code.programs;
+  }
+
+  void take_word(const Word& word, const Naming& naming) {
+    if (word.address == 0 || word.expression || word.code >= 0) return;
+    if (naming.blocks.find(word.address) != std::string_view::npos) add_number(NameKind::block, false, word.where);
+    if (naming.programs.find(word.address) != std::string_view::npos) add_number(NameKind::program, false, word.where);
+    if (word.address == 'T') add_number(NameKind::tool, false, word.where);
+  }
+
+  bool in_comment(std::size_t at) const {
+    return std::any_of(block_.comments.begin(), block_.comments.end(), [&](Span s) { return s.begin <= at && at < s.end; });
+  }
+
+  /// Finds #100 and #<name>. A variable is defined where its value is assigned: at the beginning of an assignment.
+  void take_variables() {
+    const std::string_view text = block_.text;
+    for (std::size_t at = text.find('#', block_.where.begin); at < block_.where.end; at = text.find('#', at + 1)) {
+      if (in_comment(at)) continue;
+      const std::size_t begin = at + 1;
+      const bool named = begin < text.size() && text[begin] == '<';
+      const std::size_t close = named ? text.find('>', begin) : text.find_first_not_of("0123456789", begin);
+      const std::size_t end = named && close != std::string_view::npos ? close + 1 : std::min(close, text.size());
+      if (end <= begin || (named && close == std::string_view::npos)) continue;
+      std::size_t next = end;
+      while (next < text.size() && (text[next] == ' ' || text[next] == '\t')) ++next;
+      const std::string_view written = text.substr(begin, end - begin);
+      const bool assigned = next < text.size() && text[next] == '=' && !(next + 1 < text.size() && text[next + 1] == '=');
+      add(NameKind::variable, assigned, {std::uint32_t(begin), std::uint32_t(end)},
+          named ? in_small_letters(written) : without_zeros(written));
+    }
+  }
+
+  const ControlDef& def_;
+  const Block& block_;
+  std::vector<NamedPlace>& to_;
+};
+
+}  // namespace
+
+std::vector<NamedPlace> DocumentNames::names_of(std::string_view line) const {
+  std::vector<NamedPlace> names;
+  line = line.substr(0, longest_line);
+  static thread_local Block block;  // its lists keep their memory from line to line
+  for (std::size_t from = 0; from < line.size();) {
+    block.clear();
+    const auto lexed = lex_block(line, from, true, def_->grammar, block);
+    BlockNames(*def_, block, names).find();
+    if (!lexed || lexed->next <= from) break;
+    from = lexed->next;
+  }
+  return names;
+}
+
+void DocumentNames::read(const TextDocument& document) { update(document, {0, lines_.size(), document.lines()}); }
+
+void DocumentNames::update(const TextDocument& document, const TextDocument::ChangedLines& changed) {
+  std::vector<std::vector<NamedPlace>> read(changed.added);
+  for (std::size_t n = 0; n < changed.added; ++n) read[n] = names_of(document.line(changed.first + n));
+  const auto at = lines_.begin() + static_cast<std::ptrdiff_t>(changed.first);
+  const auto kept = lines_.erase(at, at + static_cast<std::ptrdiff_t>(changed.removed));
+  lines_.insert(kept, std::make_move_iterator(read.begin()), std::make_move_iterator(read.end()));
+}
+
+const NamedPlace* DocumentNames::at(std::size_t number, std::size_t byte) const {
+  if (number >= lines_.size()) return nullptr;
+  const auto& names = lines_[number];
+  const auto found = std::find_if(names.begin(), names.end(), [&](const NamedPlace& place) {
+    const bool is_name = place.kind <= NameKind::tool;
+    return is_name && place.where.begin <= byte + 1 && byte <= place.where.end;  // the cursor may stand before the letter of N10 or #100
+  });
+  return found == names.end() ? nullptr : &*found;
+}
+
+std::pair<std::size_t, std::size_t> DocumentNames::scope(std::size_t line, const NamedPlace& place) const {
+  std::uint32_t number = 0;
+  std::from_chars(place.name.data(), place.name.data() + place.name.size(), number);
+  const bool local = place.kind == NameKind::block ||
+                     (place.kind == NameKind::variable && number != 0 && number < first_shared_variable && !def_->has_parameter_file());
+  if (!local) return {0, lines_.empty() ? 0 : lines_.size() - 1};
+  const auto begins_program = [&](std::size_t n) {
+    return std::any_of(lines_[n].begin(), lines_[n].end(), [](const NamedPlace& p) { return p.kind == NameKind::program && p.defines; });
+  };
+  std::size_t first = line, last = line;
+  while (first > 0 && !begins_program(first)) --first;
+  while (last + 1 < lines_.size() && !begins_program(last + 1)) ++last;
+  return {first, last};
+}
+
+std::vector<DocumentNames::Found> DocumentNames::all_of(std::size_t line, const NamedPlace& place) const {
+  std::vector<Found> found;
+  const auto [first, last] = scope(line, place);
+  for (std::size_t n = first; n <= last && n < lines_.size(); ++n)
+    for (const NamedPlace& other : lines_[n])
+      if (other.kind == place.kind && other.name == place.name) found.push_back({n, &other});
+  return found;
+}
+
+}  // namespace kadr

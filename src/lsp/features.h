@@ -1,0 +1,54 @@
+#pragma once
+// The features of the language server: each function answers one kind of request about a document, as JSON (LSP 3.17, "Language Features").
+
+#include "lsp/lsp_json.h"
+#include "lsp/open_document.h"
+
+namespace kadr {
+
+/// Returns what the server can do. `encoding`: the unit of columns, "utf-8", "utf-16" or "utf-32".
+LspJson capabilities_json(const char* encoding);
+
+// ---- diagnostics.cpp
+LspJson diagnostics_json(const OpenDocument& document);
+/// Returns the corrections of the findings in the range.
+LspJson actions_json(const OpenDocument& document, const TextRange& range);
+
+// ---- hover.cpp
+/// Returns the text of the word at the position, and the position of the tool after the line; null if Kadr knows nothing of it.
+LspJson hover_json(const OpenDocument& document, const TextPosition& position);
+/// Returns the words that the code before the position takes, as the parameters of a call.
+LspJson signature_json(const OpenDocument& document, const TextPosition& position);
+
+// ---- completion.cpp
+/// Proposes codes, addresses, variables and the numbers of blocks and subprograms, by what stands before the position.
+LspJson completion_json(const OpenDocument& document, const TextPosition& position);
+
+// ---- navigation.cpp
+LspJson definition_json(const OpenDocument& document, const TextPosition& position);
+LspJson references_json(const OpenDocument& document, const TextPosition& position);
+LspJson highlights_json(const OpenDocument& document, const TextPosition& position);
+LspJson renamed_place_json(const OpenDocument& document, const TextPosition& position);
+/// Renames a variable, label, block or subprogram at all its places in this document.
+///   throws  LspFault if the new name has another form, or if it has a meaning already
+LspJson rename_json(const OpenDocument& document, const TextPosition& position, const std::string& name);
+
+// ---- outline.cpp
+LspJson symbols_json(const OpenDocument& document);
+void add_workspace_symbols(const OpenDocument& document, const std::string& query, LspJson& to);
+LspJson folding_json(const OpenDocument& document);
+/// Returns the end points of the motions of the lines in the range, as hints behind the lines.
+LspJson hints_json(const OpenDocument& document, const TextRange& range);
+/// Returns the time of each operation, above its first line.
+LspJson lenses_json(const OpenDocument& document);
+
+// ---- tokens.cpp
+LspJson tokens_json(const OpenDocument& document);
+LspJson token_legend_json();
+
+// ---- formatting.cpp
+/// Returns the changes that put one blank between the words of each block.
+///   throws  LspFault if the new text would not do the same
+LspJson formatting_json(const OpenDocument& document);
+
+}  // namespace kadr

@@ -1,0 +1,94 @@
+#pragma once
+// LanguageServer: answers the messages of an editor (Language Server Protocol 3.17). It receives and emits messages as JSON texts, so that
+// tests need no pipes; serve_editor() connects it with an editor.
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/stop_token.h"
+#include "lsp/lsp_json.h"
+#include "lsp/open_document.h"
+
+namespace kadr {
+
+class LanguageServer {
+ public:
+  /// A function of the client that receives the messages of the server.
+  using Send = std::function<void(std::string message)>;
+
+  /// `lang`: the language of the texts, unless the editor names one.
+  LanguageServer(Send send, Lang lang, std::string version);
+  ~LanguageServer();
+
+  /// Executes one message. Each request gets exactly one answer: a result or an error.
+  void take(std::string_view message);
+  /// Answers a request that the editor has cancelled before it was executed.
+  void refuse_cancelled(const LspJson& id);
+
+  /// True if some document has changed since its last check, or since its last run.
+  bool has_work() const;
+  /// Checks one such document and publishes the findings, or runs it for the results of its lines.
+  ///   stop  ends the work early; the next call begins it again
+  void work(const StopToken& stop);
+
+  /// True after the notification `exit`.
+  bool is_over() const { return over_; }
+  /// Returns 0 if the editor has requested the shutdown before the exit, else 1.
+  int exit_status() const { return shut_down_ ? 0 : 1; }
+
+ private:
+  using Method = LspJson (LanguageServer::*)(const LspJson& params);
+  static const std::map<std::string_view, Method>& requests();
+  static const std::map<std::string_view, Method>& notifications();
+
+  void take_request(const LspJson& id, const std::string& method, const LspJson& params);
+  void answer(const LspJson& id, const char* member, LspJson value);
+  void notify(const char* method, LspJson params);
+  OpenDocument& document_of(const LspJson& params);
+  void publish(const OpenDocument& document);
+  void choose(const LspJson& settings);
+
+  LspJson initialize(const LspJson& params);
+  LspJson shutdown(const LspJson& params);
+  LspJson nothing(const LspJson& params);
+  LspJson exit(const LspJson& params);
+  LspJson did_open(const LspJson& params);
+  LspJson did_change(const LspJson& params);
+  LspJson did_save(const LspJson& params);
+  LspJson did_close(const LspJson& params);
+  LspJson did_change_configuration(const LspJson& params);
+  LspJson did_change_watched_files(const LspJson& params);
+  LspJson hover(const LspJson& params);
+  LspJson completion(const LspJson& params);
+  LspJson signature_help(const LspJson& params);
+  LspJson definition(const LspJson& params);
+  LspJson references(const LspJson& params);
+  LspJson highlights(const LspJson& params);
+  LspJson prepare_rename(const LspJson& params);
+  LspJson rename(const LspJson& params);
+  LspJson document_symbols(const LspJson& params);
+  LspJson workspace_symbols(const LspJson& params);
+  LspJson folding(const LspJson& params);
+  LspJson tokens(const LspJson& params);
+  LspJson hints(const LspJson& params);
+  LspJson actions(const LspJson& params);
+  LspJson lenses(const LspJson& params);
+  LspJson formatting(const LspJson& params);
+
+  const Send send_;
+  const std::string version_;
+  DocumentChoice choice_;
+  ColumnUnit unit_ = ColumnUnit::utf16;
+  std::map<std::string, std::unique_ptr<OpenDocument>> documents_;  // by URI
+  bool initialized_ = false, shut_down_ = false, over_ = false;
+};
+
+/// Serves an editor over two file descriptors until it ends the session or closes the input. Checks run while no message waits.
+///   returns  the exit status of the process
+int serve_editor(int input, int output, Lang lang, const std::string& version, const StopToken& stop);
+
+}  // namespace kadr

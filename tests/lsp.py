@@ -1,0 +1,498 @@
+#!/usr/bin/env python3
+"""Tests `kadr lsp` (docs/lsp.md) as an editor uses it: over standard input and output, with the messages of the Language Server Protocol 3.17.
+
+    lsp.py --kadr build/release/kadr
+    KADR_LSP_MESSAGES=1000000 lsp.py --kadr build/release/kadr --only '*random_messages'
+
+Checked are the life cycle with its errors, each feature on small programs of several controls, the same findings as `kadr check`, the same
+document after random changes as after opening its text, and random messages: each request gets exactly one answer.
+"""
+import json
+import os
+import random
+import select
+import signal
+import subprocess
+import sys
+import time
+
+import harness
+from harness import expect
+
+MESSAGES = int(os.environ.get('KADR_LSP_MESSAGES', 400))
+URI = 'file:///work/part.nc'
+FIRST = 5000   # the number of the first random request
+NOT_FOUND, WRONG_PARAMS, NOT_INITIALIZED, WRONG_REQUEST, CANCELLED, FAILED = -32601, -32602, -32002, -32600, -32800, -32803
+
+
+class Editor:
+    """An editor that talks with the program under test."""
+
+    def __init__(self, kadr, options=None, encodings=('utf-16',), locale='en', begins=True):
+        self.process = subprocess.Popen(kadr.command(['lsp', '--stdio']), cwd=kadr.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.read, self.last, self.notes = b'', 0, []
+        if begins:
+            self.capabilities = self.ask('initialize', {'processId': None, 'rootUri': None, 'locale': locale, 'initializationOptions': options or {},
+                                                        'capabilities': {'general': {'positionEncodings': list(encodings)}}})['result']['capabilities']
+            self.tell('initialized', {})
+
+    def put(self, content):
+        data = content if isinstance(content, bytes) else json.dumps(content).encode()
+        self.process.stdin.write(b'Content-Length: %d\r\n\r\n%s' % (len(data), data))
+        self.process.stdin.flush()
+
+    def get(self):
+        """Returns the next message; None at the end of the output."""
+        until = time.monotonic() + harness.TIME_LIMIT_S
+        while b'\r\n\r\n' not in self.read or len(self.read) < self.end():
+            ready, _, _ = select.select([self.process.stdout], [], [], max(0, until - time.monotonic()))
+            expect(ready, 'no message within the time limit')
+            more = os.read(self.process.stdout.fileno(), 65536)
+            if not more:
+                return None
+            self.read += more
+        content = self.read[self.read.index(b'\r\n\r\n') + 4:self.end()]
+        self.read = self.read[self.end():]
+        return json.loads(content)
+
+    def end(self):
+        head = self.read[:self.read.index(b'\r\n\r\n')]
+        return len(head) + 4 + int(head.split(b':')[1])
+
+    def tell(self, method, params):
+        self.put({'jsonrpc': '2.0', 'method': method, 'params': params})
+
+    def ask(self, method, params):
+        """Sends a request.  returns its answer; notifications before it are kept in `notes`"""
+        self.last += 1
+        self.put({'jsonrpc': '2.0', 'id': self.last, 'method': method, 'params': params})
+        return self.answer(self.last)
+
+    def answer(self, number):
+        while True:
+            message = self.get()
+            expect(message is not None, 'the server has ended')
+            if 'method' not in message:
+                expect(message.get('id') == number, f'the answer belongs to {message.get("id")}, not to {number}')
+                return message
+            self.notes.append(message)
+
+    def open(self, text, uri=URI, version=1):
+        self.tell('textDocument/didOpen', {'textDocument': {'uri': uri, 'languageId': 'nc', 'version': version, 'text': text}})
+
+    def change(self, text, version, where=None, uri=URI):
+        change = {'text': text, **({'range': where} if where else {})}
+        self.tell('textDocument/didChange', {'textDocument': {'uri': uri, 'version': version}, 'contentChanges': [change]})
+
+    def findings(self, version=1, uri=URI):
+        """Waits for the findings of this version."""
+        while True:
+            for note in self.notes:
+                if note['method'] == 'textDocument/publishDiagnostics' and note['params']['uri'] == uri and note['params'].get('version') == version:
+                    return note['params']['diagnostics']
+            message = self.get()
+            expect(message is not None, 'the server has ended')
+            self.notes.append(message)
+
+    def at(self, method, line, character, **more):
+        answer = self.ask(f'textDocument/{method}', {'textDocument': {'uri': URI}, 'position': {'line': line, 'character': character}, **more})
+        return answer['result'] if 'result' in answer else answer['error']
+
+    def of(self, method, **more):
+        return self.ask(f'textDocument/{method}', {'textDocument': {'uri': URI}, **more})['result']
+
+    def until(self, answer):
+        """Repeats a request until its answer is not empty: the results of the lines follow the findings."""
+        limit = time.monotonic() + harness.TIME_LIMIT_S
+        while not (result := answer()):
+            expect(time.monotonic() < limit, 'no answer within the time limit')
+            time.sleep(0.05)
+        return result
+
+    def close(self):
+        self.ask('shutdown', None)
+        self.tell('exit', None)
+        return self.process.wait(harness.TIME_LIMIT_S)
+
+
+def position(line, character):
+    return {'line': line, 'character': character}
+
+
+def area(line, begin, end, last=None):
+    return {'start': position(line, begin), 'end': position(line if last is None else last, end)}
+
+
+def applied(text, edits):
+    """Returns the text with edits of single lines, from the last to the first."""
+    lines = text.split('\n')
+    for edit in sorted(edits, key=lambda e: (e['range']['start']['line'], e['range']['start']['character']), reverse=True):
+        start, end = edit['range']['start'], edit['range']['end']
+        line = lines[start['line']]
+        lines[start['line']] = line[:start['character']] + edit['newText'] + line[end['character']:]
+    return '\n'.join(lines)
+
+
+FANUC = '''%
+O0001 (PLATE)
+N10 G90 G54 G17 G21
+(FACE MILL)
+T1 M6
+N20 G0 X0 Y0 S1200 M3
+G43 Z50. H1
+#101=5.
+G1 Z-1. F200
+N30 X#101
+IF[#101GT9]GOTO 30
+G81 X10. Y10. Z-5. R2. F100
+G80
+M98 P0200
+M30
+O0200
+G91 G1 X1. F300
+M99
+%
+'''
+
+
+# ---- life cycle
+
+def check_the_life_cycle(kadr):
+    editor = Editor(kadr, begins=False)
+    expect(editor.ask('textDocument/hover', {})['error']['code'] == NOT_INITIALIZED, 'a request before initialize')
+    editor.tell('textDocument/didOpen', {})
+    expect('result' in editor.ask('initialize', {'capabilities': {}}), 'initialize')
+    expect(editor.ask('initialize', {'capabilities': {}})['error']['code'] == WRONG_REQUEST, 'initialize twice')
+    expect(editor.ask('textDocument/unknown', {})['error']['code'] == NOT_FOUND, 'an unknown method')
+    expect(editor.ask('textDocument/hover', {'textDocument': {'uri': 'file:///x'}, 'position': position(0, 0)})['error']['code'] == WRONG_PARAMS, 'not open')
+    expect(editor.ask('textDocument/hover', {'textDocument': 5})['error']['code'] == WRONG_PARAMS, 'wrong parameters')
+    expect(editor.ask('shutdown', None)['result'] is None, 'shutdown')
+    expect(editor.ask('textDocument/hover', {})['error']['code'] == WRONG_REQUEST, 'a request after shutdown')
+    editor.tell('exit', None)
+    expect(editor.process.wait(harness.TIME_LIMIT_S) == 0, 'exit status after shutdown')
+
+
+def check_the_end_without_shutdown(kadr):
+    for end in (lambda e: e.tell('exit', None), lambda e: e.process.stdin.close()):
+        editor = Editor(kadr)
+        editor.open(FANUC)
+        end(editor)
+        expect(editor.process.wait(harness.TIME_LIMIT_S) == 1, 'exit status without shutdown')
+
+
+def check_interrupt(kadr):
+    editor = Editor(kadr)
+    editor.process.stdin.write(b'Content-Length: 50\r\n')   # the beginning of a message
+    editor.process.stdin.flush()
+    editor.process.send_signal(signal.SIGINT)
+    expect(editor.process.wait(harness.TIME_LIMIT_S) != 0, 'Ctrl-C')
+
+
+def check_broken_input(kadr):
+    editor = Editor(kadr)
+    for content in (b'{', b'[]', b'5', b'{"id":901}', b'{"method":5,"id":902}', b'\xff\xfe', b'{"jsonrpc":"2.0","id":{},"method":"shutdown"}'):
+        editor.put(content)
+    seen = []
+    editor.last += 1
+    editor.put({'jsonrpc': '2.0', 'id': editor.last, 'method': 'workspace/symbol', 'params': {'query': ''}})
+    while True:
+        message = editor.get()
+        seen.append(message)
+        if message.get('id') == editor.last:
+            break
+    expect(all('error' in m for m in seen[:-1]) and 'result' in seen[-1], f'broken messages are refused and the next is answered: {seen}')
+    editor.process.stdin.write(b'no header at all\r\n\r\n')
+    editor.process.stdin.flush()
+    expect(editor.process.wait(harness.TIME_LIMIT_S) == 1, 'the end after a broken header')
+
+
+def check_cancelled_requests(kadr):
+    editor = Editor(kadr)
+    editor.open(FANUC)
+    hover = {'textDocument': {'uri': URI}, 'position': position(2, 5)}
+    many = 200
+    for number in range(1000, 1000 + many):
+        editor.put({'jsonrpc': '2.0', 'id': number, 'method': 'textDocument/hover', 'params': hover})
+        editor.tell('$/cancelRequest', {'id': number})
+    for number in range(1000, 1000 + many):
+        answer = editor.answer(number)   # each has one answer, whether the cancellation came in time or not
+        expect('result' in answer or answer['error']['code'] == CANCELLED, f'{answer}')
+    expect(editor.close() == 0, 'the end')
+
+
+# ---- features
+
+def check_findings_like_the_command(kadr):
+    for control, text in (('fanuc', FANUC.replace('R2.', 'R')), ('linuxcnc', 'G21\nG1 X10\nG2 X5 I1\nM2\n'), ('grbl', 'G21\nG0 X1\nG99\n'),
+                          ('fanuc', 'O1\nG0 X1.\nG2 X10. Y0. R1. F100\nM30\n')):
+        path = kadr.file('part.nc', text)
+        wanted = json.loads(kadr.call('check', path, '--control', control, '--format', 'json', '--lang', 'en').stdout)
+        editor = Editor(kadr, {'control': control})
+        uri = f'file://{path}'
+        editor.open(text, uri)
+        got = editor.findings(uri=uri)
+        expect([(d['code'], d['range']['start']['line'] + 1) for d in got] == [(f['id'], f['line']) for f in wanted], f'{control}: {got} {wanted}')
+        expect(wanted, 'a program without findings tests nothing')
+        editor.close()
+
+
+def check_findings_follow_the_text(kadr):
+    editor = Editor(kadr, {'control': 'linuxcnc'})
+    editor.open('G21 F100\nG1 X10 Q\nM2\n')
+    first = editor.findings(1)
+    expect([d['range']['start']['line'] for d in first if d['severity'] == 1] == [1], f'{first}')
+    editor.change('', 2, area(1, 6, 8))
+    expect(not [d for d in editor.findings(2) if d['severity'] == 1], 'the fault is mended')
+    editor.close()
+
+
+def check_guess_and_unknown(kadr):
+    editor = Editor(kadr)
+    editor.open('hello, world\n')
+    found = editor.findings()
+    expect(len(found) == 1 and found[0]['severity'] == 3, f'a text of no control: {found}')
+    expect(editor.of('documentSymbol') == [] and editor.at('hover', 0, 0) is None, 'features without a control')
+    editor.change(FANUC, 2)
+    expect(all(d.get('code') for d in editor.findings(2)), 'the control is known once the text shows it')
+    editor.close()
+
+
+def check_hover_and_language(kadr):
+    for locale, word in (('en', 'drill'), ('ru', 'сверл')):
+        editor = Editor(kadr, {'control': 'fanuc'}, locale=locale)
+        editor.open(FANUC)
+        editor.findings()
+        text = editor.at('hover', 11, 1)['contents']['value']
+        expect(word in text.lower() and 'G81' in text, f'{locale}: {text}')
+        after = editor.until(lambda: editor.at('hover', 8, 30))
+        expect(after and 'Z -1' in after['contents']['value'] and 'F 200' in after['contents']['value'], f'the tool after the line: {after}')
+        editor.close()
+
+
+def check_completion_and_signature(kadr):
+    editor = Editor(kadr, {'control': 'fanuc'})
+    text = FANUC.replace('G80\n', 'G8\n')
+    editor.open(text)
+    items = editor.at('completion', 12, 2)['items']
+    labels = [item['label'] for item in items]
+    expect('G81' in labels and 'M3' not in labels, f'codes with G: {labels[:20]}')
+    made = applied(text, [next(item for item in items if item['label'] == 'G80')['textEdit']])
+    expect(made == FANUC, 'the proposal replaces the word')
+    editor.change('#', 2, area(12, 0, 2))
+    expect('#101' in [item['label'] for item in editor.at('completion', 12, 1)['items']], 'variables of the program')
+    help_ = editor.at('signatureHelp', 11, len('G81 X10. Y10. Z-5. R2'))
+    signature = help_['signatures'][0]
+    active = signature['parameters'][help_['activeParameter']]
+    expect(signature['label'].startswith('G81') and signature['label'][slice(*active['label'])] == 'R', f'{help_}')
+    editor.close()
+
+
+def check_navigation(kadr):
+    editor = Editor(kadr, {'control': 'fanuc'})
+    editor.open(FANUC)
+    expect([one['range'] for one in editor.at('definition', 10, 18)] == [area(9, 1, 3)], 'GOTO 30')
+    expect([one['range']['start']['line'] for one in editor.at('definition', 13, 7)] == [15], 'M98 P0200')
+    uses = editor.at('references', 7, 2, context={'includeDeclaration': True})
+    expect([one['range']['start']['line'] for one in uses] == [7, 9, 10], f'#101: {uses}')
+    expect([one['kind'] for one in editor.at('documentHighlight', 7, 2)] == [3, 2, 2], 'written once, read twice')
+    expect(editor.at('definition', 0, 0) == [], 'nothing to define')
+    editor.close()
+
+
+def check_rename(kadr):
+    editor = Editor(kadr, {'control': 'fanuc'})
+    editor.open(FANUC)
+    expect(editor.at('prepareRename', 9, 7) == {'range': area(9, 6, 9), 'placeholder': '101'}, f'{editor.at("prepareRename", 9, 7)}')
+    edits = editor.at('rename', 9, 7, newName='#500')['changes'][URI]
+    expect(applied(FANUC, edits) == FANUC.replace('#101', '#500'), 'a variable')
+    edits = editor.at('rename', 9, 1, newName='35')['changes'][URI]
+    expect(applied(FANUC, edits) == FANUC.replace('N30', 'N35').replace('GOTO 30', 'GOTO 35'), 'a block')
+    for name in ('X', '', '20', '#<a>'):
+        expect(editor.at('rename', 9, 1, newName=name).get('code') == FAILED, f'N30 becomes {name!r}')
+    editor.close()
+
+
+def check_outline(kadr):
+    editor = Editor(kadr, {'control': 'fanuc'})
+    editor.open(FANUC)
+    editor.findings()
+    symbols = editor.of('documentSymbol')
+    expect([s['name'] for s in symbols] == ['O1', 'O200'], f'{symbols}')
+    expect([s['name'] for s in symbols[0]['children']] == ['T1 FACE MILL'], f'{symbols[0]["children"]}')
+    found = editor.ask('workspace/symbol', {'query': '200'})['result']
+    expect([one['name'] for one in found] == ['O200'], f'{found}')
+    folds = [(f['startLine'], f['endLine']) for f in editor.of('foldingRange')]
+    expect((1, 14) in folds and (3, 14) in folds, f'{folds}')
+    expect(any('min' in lens['command']['title'] for lens in editor.until(lambda: editor.of('codeLens'))), 'the time of an operation')
+    hints = editor.of('inlayHint', range=area(0, 0, 0, 12))
+    expect(any('X5' in hint['label'] for hint in hints if hint['position']['line'] == 9), f'{hints}')
+    editor.close()
+
+
+def check_folds_of_linuxcnc(kadr):
+    editor = Editor(kadr, {'control': 'linuxcnc'})
+    editor.open('o1 sub\no2 do\no3 if [#1]\nG0 X1\no3 endif\no2 while [0]\no1 endsub\nM2\n')
+    folds = sorted((f['startLine'], f['endLine']) for f in editor.of('foldingRange'))
+    expect({(0, 6), (1, 5), (2, 4)} <= set(folds), f'{folds}')
+    editor.close()
+
+
+def check_tokens(kadr):
+    editor = Editor(kadr, {'control': 'fanuc'})
+    editor.open('N10 G1 X1. (Ж) M8\n')
+    legend = editor.capabilities['semanticTokensProvider']['legend']['tokenTypes']
+    data, at, tokens = editor.of('semanticTokens/full')['data'], 0, []
+    for i in range(0, len(data), 5):
+        at += data[i + 1]
+        tokens.append((at, data[i + 2], legend[data[i + 3]]))
+    expect(tokens == [(0, 3, 'label'), (4, 2, 'keyword'), (7, 3, 'number'), (11, 3, 'comment'), (15, 2, 'function')], f'{tokens}')
+    editor.close()
+
+
+def check_quick_fix(kadr):
+    editor = Editor(kadr, {'control': 'fanuc'})
+    text = 'O1\nG21 G90\nG0 X1. Y1. (OPEN\nM30\n'
+    editor.open(text)
+    found = editor.findings()
+    actions = editor.of('codeAction', range=found[0]['range'], context={'diagnostics': []})
+    expect(actions and actions[0]['kind'] == 'quickfix', f'{found} {actions}')
+    expect(applied(text, actions[0]['edit']['changes'][URI]) == text.replace('(OPEN', '(OPEN)'), f'{actions}')
+    editor.close()
+
+
+def check_formatting(kadr):
+    text = 'N10G1X1.Y2.(A  B)M8\n#1=2+3\nN20   G0 Z5.\n/G1X2.F1\nX1.0 Y2\n'
+    wanted = 'N10 G1 X1. Y2. (A  B) M8\n#1=2+3\nN20 G0 Z5.\n/G1 X2. F1\nX1.0 Y2\n'
+    editor = Editor(kadr, {'control': 'fanuc'})
+    editor.open(text)
+    edits = editor.of('formatting', options={'tabSize': 4, 'insertSpaces': True})
+    expect(applied(text, edits) == wanted, applied(text, edits))
+    editor.close()
+
+
+def check_columns_of_editors(kadr):
+    text = 'G21 F100 (\U0001F529Ж) Q1\nM2\n'   # the sign has one, two or four units
+    for encoding, column in (('utf-16', 16), ('utf-8', 19), ('utf-32', 15)):
+        editor = Editor(kadr, {'control': 'linuxcnc'}, encodings=(encoding,))
+        expect(editor.capabilities['positionEncoding'] == encoding, encoding)
+        editor.open(text)
+        found = [d for d in editor.findings() if d['range']['start']['line'] == 0]
+        expect(found and found[0]['range']['start']['character'] == column - 1, f'{encoding}: {found}')
+        editor.close()
+
+
+# ---- all programs, random changes, random messages
+
+def check_examples(kadr):
+    editor = Editor(kadr)
+    for path in sorted(path for path in (harness.ROOT / 'examples').rglob('*') if path.suffix in ('.nc', '.ngc', '.tap', '.nct')):
+        try:
+            text = path.read_text(encoding='utf-8')
+        except UnicodeDecodeError:
+            continue
+        uri = f'file://{path}'
+        editor.open(text, uri)
+        editor.findings(uri=uri)
+        for method in ('documentSymbol', 'foldingRange', 'semanticTokens/full', 'codeLens', 'formatting'):
+            answer = editor.ask(f'textDocument/{method}', {'textDocument': {'uri': uri}, 'options': {}})
+            expect('result' in answer, f'{path.name}: {method}: {answer}')
+        editor.tell('textDocument/didClose', {'textDocument': {'uri': uri}})
+        editor.notes.clear()
+    expect(editor.close() == 0, 'the end')
+
+
+def check_random_changes(kadr):
+    """After random changes the findings, names and colours are those of a document that is opened with the same text."""
+    draw = random.Random(20261129)
+    pieces = ['G1 X1.', '\n', '\r\n', 'N10 ', '#101=', '(Ж', ')', 'GOTO 10', 'M98 P5', 'O5', '\U0001F529', ' ', 'T1 M6', 'IF[#1EQ2]']
+    for control in ('fanuc', 'linuxcnc', 's2c42', 'sinumerik'):
+        editor = Editor(kadr, {'control': control})
+        editor.open('G21\n')
+        for version in range(2, 14):
+            a, b = sorted((draw.randrange(8), draw.randrange(12)) for _ in range(2))
+            text = ''.join(draw.choice(pieces) for _ in range(draw.randrange(6)))
+            editor.change(text, version, {'start': position(*a), 'end': position(*b)})
+        whole = editor.at('rename', 0, 0, newName='x')   # any request: the changes are done in their order
+        expect(whole is not None, 'an answer')
+        edited = [editor.of('semanticTokens/full'), editor.of('documentSymbol'), [d['message'] for d in editor.findings(13)]]
+        editor.close()
+        again = Editor(kadr, {'control': control})
+        again.open(replayed(control), version=13)
+        opened = [again.of('semanticTokens/full'), again.of('documentSymbol'), [d['message'] for d in again.findings(13)]]
+        again.close()
+        expect(edited == opened, f'{control}: {edited} {opened}')
+
+
+def replayed(control):
+    """Applies the changes of check_random_changes to a text, with Python's own strings."""
+    draw = random.Random(20261129)
+    pieces = ['G1 X1.', '\n', '\r\n', 'N10 ', '#101=', '(Ж', ')', 'GOTO 10', 'M98 P5', 'O5', '\U0001F529', ' ', 'T1 M6', 'IF[#1EQ2]']
+    for of in ('fanuc', 'linuxcnc', 's2c42', 'sinumerik'):
+        text = 'G21\n'
+        for _ in range(2, 14):
+            a, b = sorted((draw.randrange(8), draw.randrange(12)) for _ in range(2))
+            new = ''.join(draw.choice(pieces) for _ in range(draw.randrange(6)))
+            begin, end = offset(text, a), offset(text, b)
+            text = text[:begin] + new + text[max(begin, end):]
+        if of == control:
+            return text
+
+
+def offset(text, at):
+    """Returns the offset of a position whose columns are units of UTF-16."""
+    begin, line = 0, 0
+    while line < at[0]:
+        ends = [i for i in (text.find('\n', begin), text.find('\r', begin)) if i >= 0]
+        if not ends:
+            return len(text)
+        end = min(ends)
+        begin = end + (2 if text.startswith('\r\n', end) else 1)
+        line += 1
+    units, here = 0, begin
+    while here < len(text) and text[here] not in '\r\n':
+        units += 2 if ord(text[here]) > 0xFFFF else 1
+        if units > at[1]:
+            break
+        here += 1
+    return here
+
+
+def check_random_messages(kadr):
+    draw = random.Random(7)
+    editor = Editor(kadr)
+    methods = ['hover', 'completion', 'signatureHelp', 'definition', 'references', 'documentHighlight', 'prepareRename', 'rename', 'documentSymbol',
+               'foldingRange', 'semanticTokens/full', 'inlayHint', 'codeAction', 'codeLens', 'formatting', 'unknown']
+    waiting = {}
+    for number in range(FIRST, FIRST + MESSAGES):
+        uri = f'file:///work/{draw.choice("ab")}.nc'
+        kind = draw.randrange(8)
+        place = {'line': draw.choice([0, 1, 5, 10 ** 9, -1, 'x']), 'character': draw.choice([0, 3, 10 ** 9, None])}
+        params = {'textDocument': {'uri': uri}, 'position': place, 'range': {'start': place, 'end': draw.choice([place, 5])}, 'newName': draw.choice(['5', '', 7])}
+        if kind == 0:
+            editor.open(draw.choice([FANUC, '', 'G0 X1\n' * 50, 'o1 while [1]\n' * 40]), uri, number)
+        elif kind == 1:
+            editor.tell('textDocument/didChange', {'textDocument': {'uri': uri, 'version': number},
+                                                   'contentChanges': [{'text': draw.choice(['G1', '\n', 7]), 'range': area(draw.randrange(9), 0, 3)}]})
+        elif kind == 2:
+            editor.tell(draw.choice(['textDocument/didSave', 'textDocument/didClose', 'workspace/didChangeConfiguration', 'nothing']),
+                        {'textDocument': {'uri': uri}, 'settings': {'kadr': {'control': draw.choice(['fanuc', '', 'nonsense'])}}})
+        else:
+            waiting[number] = 'textDocument/' + draw.choice(methods)
+            editor.put({'jsonrpc': '2.0', 'id': number, 'method': waiting[number], 'params': draw.choice([params, params, params, None, [], 5])})
+    last = editor.last = FIRST + MESSAGES
+    editor.put({'jsonrpc': '2.0', 'id': last, 'method': 'workspace/symbol', 'params': {'query': ''}})
+    while True:
+        message = editor.get()
+        expect(message is not None, 'the server has ended')
+        if 'method' in message:
+            continue
+        if message['id'] == last:
+            break
+        expect(waiting.pop(message['id'], None), f'a second answer, or one to nobody: {message}')
+        expect(('result' in message) != ('error' in message), f'{message}')
+    expect(not waiting, f'without an answer: {waiting}')
+    expect(editor.close() == 0, 'the end')
+
+
+if __name__ == '__main__':
+    sys.exit(harness.main(__doc__, globals()))
