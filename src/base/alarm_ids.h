@@ -152,6 +152,6 @@
   X(levels_swapped) X(approach_short) X(compensation_left_on) X(compensation_ends_in_cut) X(arc_against_neighbours) \
   X(arc_nearly_full) X(rapid_below_zero) X(rapid_sideways_low) X(tool_change_low) X(units_changed) X(work_offset_once) \
   X(lines_unreachable) X(subprogram_uncalled) X(jump_to_nowhere) X(jump_to_two) X(mode_left_on) X(coordinate_far) \
-  X(tool_unused) X(speed_beyond_spindle) X(surface_speed_unlimited) X(thread_beyond_rapid) X(beyond_chuck_face) X(tool_not_in_table) X(table_tools_unused) X(offset_row_unused)
+  X(tool_unused) X(speed_beyond_spindle) X(surface_speed_unlimited) X(thread_beyond_rapid) X(beyond_chuck_face) X(tool_not_in_table) X(table_tools_unused) X(offset_row_unused) X(wear_sign)
 
 // clang-format on

@@ -443,7 +443,7 @@ KINDS = (point_dropped, digit_too_many, unit_changed, offset_of_another, length_
 
 
 def lathe_mistakes(p):
-    """The limit of the spindle speed, the speed of a thread, and the face of the chuck nearer than the program expects it."""
+    """The limit of the spindle speed, the speed of a thread, the face of the chuck nearer than the program expects it, and the sign of a wear."""
     limits = [b for b in p.blocks if b.code('G', 50) and b.find('S')]
     surface = next((b for b in p.blocks if b.code('G', 96)), None)
     if limits and surface:
@@ -461,6 +461,15 @@ def lathe_mistakes(p):
         lowest = min(depth for depth, _ in depths)
         first = next(b for depth, b in depths if depth == lowest)
         yield plant('the chuck nearer', 'beyond_chuck_face', first.at, list(p.lines), {**p.setup, 'chuck_face': lowest + 0.5})
+
+
+    offsets = (p.setup or {}).get('offsets', {})
+    for number, row in offsets.items():
+        call = next((b for b in p.blocks if b.find('T') and int(b.find('T').number) % 100 == int(number)), None)
+        points = {2: 1, 3: -1, 4: -1, 6: 1}.get(row.get('tip'))   # along X
+        if call and points:
+            setup = {**p.setup, 'offsets': {**offsets, number: {**row, 'X_wear': -0.2 * points}}}
+            yield plant('wear with the wrong sign', 'wear_sign', call.at, list(p.lines), setup)
 
 
 def all_of(program):

@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+
+#include "path/compensation/nose_tip.h"
 
 namespace kadr {
 namespace {
@@ -88,6 +91,24 @@ void judge_rows(const Calls& tools, const NamedInText& named, const Setup& setup
   to.add(AlarmId::offset_row_unused, empty->origin, 0, double(empty->number), std::string_view(list_of(unused, "")));
 }
 
+/// Reports a wear that moves the tip of a turning tool away from the material. An insert that wears recedes, so its wear moves the tip in
+/// the direction in which the tip points (spec/fanuc-t 4, 7.1). A wear up to `least` adjusts a size. Each row is reported once, at its
+/// first use.
+void judge_wear(const Setup& setup, const ProgramUse& use, Advices& to) {
+  constexpr double least = 0.05;  // mm
+  for (const Use& one : use.all()) {
+    const auto row = setup.offsets.find(int(one.number));
+    if (one.kind != UseKind::length || row == setup.offsets.end()) continue;
+    const ToolOffset& values = row->second;
+    const Vec2 direction = nose_vector(static_cast<std::uint8_t>(values.tip_position), 1);
+    const auto judge = [&](char axis, double wear, double points) {
+      if (std::fabs(wear) > least && wear * points < 0) to.add(AlarmId::wear_sign, one.origin, 0, double(one.number), axis, wear);
+    };
+    judge('X', values.length_x_wear, direction.y);
+    judge('Z', values.length_wear, direction.x);
+  }
+}
+
 }  // namespace
 
 void check_tables(const ChecklistBasis& basis, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to) {
@@ -96,7 +117,10 @@ void check_tables(const ChecklistBasis& basis, const NamedInText& named, const S
     judge_missing(*basis.tools, tools, to);
     if (basis.own_tools) judge_unused(*basis.tools, tools, named, setup, to);
   }
-  if (basis.own_setup) judge_rows(tools, named, setup, use, to);
+  if (basis.own_setup) {
+    judge_rows(tools, named, setup, use, to);
+    judge_wear(setup, use, to);
+  }
 }
 
 }  // namespace kadr
