@@ -55,6 +55,7 @@ int perform(const CLI::App& app, const Commands& commands) {
   if (app.got_subcommand("report")) return report(commands.report);
   if (app.got_subcommand("serve")) return serve(commands.serve);
   if (app.got_subcommand("lsp")) return serve_language(commands.lsp);
+  if (app.got_subcommand("dap")) return serve_debugging(commands.lsp);
   if (app.got_subcommand("man")) {
     type_out("{}", manual_page(app));
     return ok;

@@ -36,7 +36,7 @@ void cell_option(CLI::App& app, CutOptions& options);
 
 /// Adds the command serve (serve.cpp).
 void add_serve(CLI::App& app, Commands& commands);
-/// Adds the command lsp (lsp_command.cpp).
+/// Adds the commands lsp and dap (lsp_command.cpp).
 void add_lsp(CLI::App& app, Commands& commands);
 
 /// Adds the argument for the program and the options of the program, for all commands that read a program (program_commands.cpp).

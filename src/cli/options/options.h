@@ -152,6 +152,7 @@ struct LspOptions {
   std::string lang;
 };
 int serve_language(const LspOptions& options);
+int serve_debugging(const LspOptions& options);
 
 struct ExplainOptions {
   std::string control;

@@ -1,0 +1,387 @@
+// DebugAdapter: the table of the requests, the run, and the breakpoints. The values of a run are in lsp/debug_values. Used by
+// lsp/serve_editor; tested by tests/dap.py.
+
+#include "lsp/debug_adapter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "config/texts.h"
+#include "lang/expression/expression.h"
+#include "out/text/alarm_print.h"
+#include "texts/dap.h"
+#include "texts/lsp.h"
+
+namespace kadr {
+namespace {
+
+constexpr int only_thread = 1;
+constexpr const char* of_calls = "call";  // the keys of points_ that are no files
+constexpr const char* of_watches = "watch";
+
+std::string text_or(const LspJson& object, const char* name, std::string otherwise) {
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return object.is_object() && found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
+}
+
+bool flag_or(const LspJson& object, const char* name, bool otherwise) {
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return object.is_object() && found != object.end() && found->is_boolean() ? found->get<bool>() : otherwise;
+}
+
+LspJson refused_point(const std::string& why) { return {{"verified", false}, {"message", why}}; }
+
+}  // namespace
+
+const std::map<std::string_view, DebugAdapter::Request>& DebugAdapter::requests() {
+  using A = DebugAdapter;
+  static const std::map<std::string_view, Request> all = {
+      {"initialize", &A::initialize},
+      {"launch", &A::launch},
+      {"configurationDone", &A::configuration_done},
+      {"setBreakpoints", &A::set_breakpoints},
+      {"setFunctionBreakpoints", &A::set_call_breakpoints},
+      {"dataBreakpointInfo", &A::watch_info},
+      {"setDataBreakpoints", &A::set_watches},
+      {"setExceptionBreakpoints", &A::nothing},  // an alarm always stops the run
+      {"threads", &A::threads},
+      {"stackTrace", &A::stack},
+      {"scopes", &A::scopes},
+      {"variables", &A::variables},
+      {"setVariable", &A::set_variable},
+      {"evaluate", &A::evaluate},
+      {"continue", &A::proceed},
+      {"next", &A::step_over},
+      {"stepIn", &A::step_in},
+      {"stepOut", &A::step_out},
+      {"stepBack", &A::step_back},
+      {"reverseContinue", &A::reverse},
+      {"pause", &A::pause},
+      {"restart", &A::restart},
+      {"terminate", &A::leave},
+      {"disconnect", &A::leave},
+  };
+  return all;
+}
+
+void DebugAdapter::send(LspJson message) {
+  message["seq"] = ++sequence_;
+  send_(dumped_message(message));
+}
+
+void DebugAdapter::event(const char* name, LspJson body) { send({{"type", "event"}, {"event", name}, {"body", std::move(body)}}); }
+
+void DebugAdapter::output(const std::string& text, const char* category) {
+  event("output", {{"category", category}, {"output", text + '\n'}});
+}
+
+void DebugAdapter::take(std::string_view text) {
+  set_thread_language(lang_);
+  const LspJson message = LspJson::parse(text, nullptr, false);
+  if (!message.is_object() || text_or(message, "type", "") != "request" || !message.contains("seq") || !message["seq"].is_number_integer())
+    return output(translated(texts::dap::no_request), "stderr");
+  const std::string command = text_or(message, "command", "");
+  LspJson response = {{"type", "response"}, {"request_seq", message["seq"]}, {"command", command}, {"success", true}};
+  const auto arguments = message.find("arguments");
+  try {
+    const auto found = requests().find(command);
+    if (found == requests().end()) throw LspFault{LspFault::method_not_found, translated(texts::dap::no_such_request, command)};
+    LspJson body = (this->*found->second)(arguments == message.end() ? LspJson::object() : *arguments);
+    if (!body.is_null()) response["body"] = std::move(body);
+  } catch (const LspFault& fault) {
+    response["success"] = false;
+    response["message"] = fault.text;
+  }
+  send(std::move(response));
+  if (const auto then = std::exchange(afterwards_, nullptr)) then();
+}
+
+Stepping& DebugAdapter::stepping() {
+  if (!stepping_) throw LspFault{LspFault::request_failed, translated(texts::dap::no_program)};
+  return *stepping_;
+}
+
+/// Returns the stepping of a run that has begun.
+Stepping& DebugAdapter::begun() {
+  if (!history_) throw LspFault{LspFault::request_failed, translated(texts::dap::no_program)};
+  return *stepping_;
+}
+
+/// Returns the line of a program, from 1, in an object of the editor.
+std::uint32_t DebugAdapter::line_in(const LspJson& object) const {
+  const LspJson& line = member(object, "line");
+  constexpr std::int64_t most = 1'000'000'000;
+  if (!line.is_number_integer() || line.get<std::int64_t>() < first_line_ || line.get<std::int64_t>() > most)
+    throw LspFault{LspFault::invalid_params, translated(texts::lsp::wrong_member, "line")};
+  return line.get<std::uint32_t>() + 1 - first_line_;
+}
+
+// ---- the beginning
+
+LspJson DebugAdapter::initialize(const LspJson& arguments) {
+  first_line_ = flag_or(arguments, "linesStartAt1", true) ? 1 : 0;
+  lang_ = language_named(text_or(arguments, "locale", "")).value_or(lang_);
+  return {{"supportsConfigurationDoneRequest", true},
+          {"supportsFunctionBreakpoints", true},
+          {"supportsConditionalBreakpoints", true},
+          {"supportsHitConditionalBreakpoints", true},
+          {"supportsLogPoints", true},
+          {"supportsDataBreakpoints", true},
+          {"supportsEvaluateForHovers", true},
+          {"supportsStepBack", true},
+          {"supportsSetVariable", true},
+          {"supportsRestartRequest", true},
+          {"supportsTerminateRequest", true}};
+}
+
+void DebugAdapter::open(const LspJson& arguments) {
+  OpeningRequest request;
+  request.path = text_in(arguments, "program");
+  request.control = text_or(arguments, "control", "");
+  request.machine = text_or(arguments, "machine", "");
+  request.setup = text_or(arguments, "setup", "");
+  request.lang = lang_;
+  auto opened = open_for_page(request);
+  if (!opened) throw LspFault{LspFault::request_failed, opened.error()};
+  opened_ = std::move(*opened);
+  auto program = opened_->program();
+  if (!program) throw LspFault{LspFault::request_failed, program.error()};
+  SessionSpec spec = opened_->spec(std::move(*program), {});
+  spec.setup.channels.clear();
+  auto session = Session::open(std::move(spec));
+  if (!session) throw LspFault{LspFault::request_failed, in_thread_language(session.error().fault.en, session.error().fault.ru)};
+  session_ = std::move(*session);
+  session_->control().return_each_block();
+  const auto told = [this](const AlarmReport& report) { output(alarm_text(report, *opened_->texts, lang_)); };
+  session_->outlets().warning = told;
+  session_->outlets().alarm = [told](const AlarmReport& report) {
+    told(report);
+    return false;
+  };
+  stepping_ = std::make_unique<Stepping>(*session_);
+}
+
+LspJson DebugAdapter::launch(const LspJson& arguments) {
+  if (session_) throw LspFault{LspFault::invalid_request, translated(texts::dap::launched_already)};
+  open(arguments);
+  stops_on_entry_ = flag_or(arguments, "stopOnEntry", true);
+  afterwards_ = [this] { event("initialized", LspJson::object()); };
+  return nullptr;
+}
+
+LspJson DebugAdapter::configuration_done(const LspJson&) {
+  stepping();
+  if (history_) throw LspFault{LspFault::invalid_request, translated(texts::dap::launched_already)};
+  afterwards_ = [this] {
+    const Session::State state = stepping_->go(Stepping::How::block);
+    history_ = std::make_unique<RunHistory>(*session_, *stepping_);
+    reason_ = "entry";
+    if (stops_on_entry_ || state != Session::State::held || stepping_->hit() != 0) return stop_at(state);
+    go(Stepping::How::free, "pause");
+  };
+  return nullptr;
+}
+
+LspJson DebugAdapter::nothing(const LspJson&) { return nullptr; }
+
+// ---- breakpoints
+
+/// Removes the breakpoints of a file, of the calls or of the watched values.
+void DebugAdapter::clear(const std::string& group) {
+  stepping();
+  for (const std::size_t number : std::exchange(points_[group], {})) {
+    stepping_->remove(number);
+    special_.erase(number);
+  }
+}
+
+LspJson DebugAdapter::set_breakpoints(const LspJson& arguments) {
+  const std::string path = text_in(member(arguments, "source"), "path");
+  const auto wanted = arguments.find("breakpoints");
+  clear(path);
+  LspJson answer = LspJson::array();
+  if (wanted == arguments.end() || !wanted->is_array()) return {{"breakpoints", std::move(answer)}};
+  std::error_code none;
+  const bool own = std::filesystem::equivalent(path, opened_->path, none) || path == opened_->path;
+  for (const LspJson& one : *wanted) {
+    StopPoint point;
+    point.line = line_in(one);
+    if (!own) point.file = path;
+    point.condition = text_or(one, "condition", "");
+    const std::string times = text_or(one, "hitCondition", "");
+    constexpr std::size_t most_digits = 9;
+    if (times.find_first_not_of("0123456789") != std::string::npos || times.size() > most_digits) {
+      answer.push_back(refused_point(translated(texts::lsp::no_number, times)));
+      continue;
+    }
+    if (!times.empty()) point.pass = static_cast<std::uint32_t>(std::stoul(times));
+    if (!point.condition.empty())
+      if (const auto holds = stepping().holds(point.condition); !holds) {
+        answer.push_back(refused_point(opened_->texts->sentence(holds.error(), lang_)));
+        continue;
+      }
+    const std::size_t number = stepping().add(point);
+    points_[path].push_back(number);
+    if (const std::string text = text_or(one, "logMessage", ""); !text.empty()) special_[number].message = text;
+    answer.push_back({{"id", number}, {"verified", true}, {"line", point.line - 1 + first_line_}});
+  }
+  return {{"breakpoints", std::move(answer)}};
+}
+
+LspJson DebugAdapter::set_call_breakpoints(const LspJson& arguments) {
+  clear(of_calls);
+  LspJson answer = LspJson::array();
+  for (const LspJson& one : member(arguments, "breakpoints")) {
+    StopPoint point;
+    point.call = text_in(one, "name");
+    points_[of_calls].push_back(stepping().add(point));
+    answer.push_back({{"id", points_[of_calls].back()}, {"verified", true}});
+  }
+  return {{"breakpoints", std::move(answer)}};
+}
+
+LspJson DebugAdapter::watch_info(const LspJson& arguments) {
+  const std::string name = text_in(arguments, "name");
+  const auto value = stepping().value(name);
+  if (!value) return {{"dataId", nullptr}, {"description", opened_->texts->sentence(value.error(), lang_)}};
+  return {{"dataId", name}, {"description", name}, {"accessTypes", {"write"}}, {"canPersist", true}};
+}
+
+LspJson DebugAdapter::set_watches(const LspJson& arguments) {
+  clear(of_watches);
+  LspJson answer = LspJson::array();
+  for (const LspJson& one : member(arguments, "breakpoints")) {
+    const std::string name = text_in(one, "dataId");
+    const auto value = stepping().value(name);
+    if (!value) {
+      answer.push_back(refused_point(opened_->texts->sentence(value.error(), lang_)));
+      continue;
+    }
+    StopPoint point;
+    point.condition = fmt::format("{} != {}", name, is_vacant(*value) ? "#0" : fmt::format("{:.12f}", *value));
+    points_[of_watches].push_back(stepping().add(point));
+    special_[points_[of_watches].back()].watched = name;
+    answer.push_back({{"id", points_[of_watches].back()}, {"verified", true}});
+  }
+  return {{"breakpoints", std::move(answer)}};
+}
+
+/// Returns true if a breakpoint that applies does not hold the program: it writes a message.
+bool DebugAdapter::passes_on(std::size_t point) {
+  const auto found = special_.find(point);
+  if (found == special_.end() || found->second.message.empty()) return false;
+  output(filled(found->second.message));
+  return true;
+}
+
+// ---- running
+
+void DebugAdapter::go(Stepping::How how, const char* reason) {
+  reason_ = reason;
+  stepping_->begin(how);
+  running_ = true;
+}
+
+void DebugAdapter::work(const StopToken& stop) {
+  set_thread_language(lang_);
+  while (running_ && !stop.requested()) {
+    const Session::State state = session_->go_on();
+    if (state != Session::State::running) return stop_at(state);
+    history_->note();
+  }
+}
+
+/// Reports where the program is held, or how it ended.
+void DebugAdapter::stop_at(Session::State state) {
+  running_ = false;
+  if (state == Session::State::held) {
+    const std::size_t hit = stepping_->hit();
+    if (hit != 0 && passes_on(hit)) {
+      running_ = true;
+      return stepping_->begin(Stepping::How::free);
+    }
+    const auto special = special_.find(hit);
+    const bool watched = special != special_.end() && !special->second.watched.empty();
+    return report_stop(hit == 0 ? reason_ : watched ? "data breakpoint" : "breakpoint");
+  }
+  if (state == Session::State::stopped) return report_stop("exception");
+  event("exited", {{"exitCode", 0}});
+  event("terminated", LspJson::object());
+}
+
+void DebugAdapter::report_stop(const char* reason) {
+  LspJson body = {{"reason", reason}, {"threadId", only_thread}, {"allThreadsStopped", true}};
+  if (stepping_->hit() != 0) body["hitBreakpointIds"] = {stepping_->hit()};
+  if (std::string_view(reason) == "exception" && session_->stopped().report)
+    body["text"] = sentence_of(*session_->stopped().report, *opened_->texts, lang_);
+  // A watched value is compared with what it is now.
+  if (const auto special = special_.find(stepping_->hit()); special != special_.end() && !special->second.watched.empty()) {
+    LspJson watches = LspJson::array();
+    for (const std::size_t number : points_[of_watches]) watches.push_back({{"dataId", special_[number].watched}});
+    (void)set_watches({{"breakpoints", watches}});
+  }
+  event("stopped", std::move(body));
+}
+
+void DebugAdapter::go_to_block(std::uint32_t number, const char* reason) {
+  begun();
+  afterwards_ = [this, number, reason] {
+    const auto state = history_->go_back(number);
+    if (!state) return output(opened_->texts->sentence(state.error(), lang_), "stderr");
+    reason_ = reason;
+    running_ = false;
+    if (*state == Session::State::held) report_stop(reason);
+    else stop_at(*state);
+  };
+}
+
+LspJson DebugAdapter::proceed(const LspJson&) {
+  begun();
+  afterwards_ = [this] { go(Stepping::How::free, "pause"); };
+  return {{"allThreadsContinued", true}};
+}
+LspJson DebugAdapter::step_over(const LspJson&) {
+  begun();
+  afterwards_ = [this] { go(Stepping::How::over, "step"); };
+  return nullptr;
+}
+LspJson DebugAdapter::step_in(const LspJson&) {
+  begun();
+  afterwards_ = [this] { go(Stepping::How::block, "step"); };
+  return nullptr;
+}
+LspJson DebugAdapter::step_out(const LspJson&) {
+  begun();
+  afterwards_ = [this] { go(Stepping::How::out, "step"); };
+  return nullptr;
+}
+
+LspJson DebugAdapter::step_back(const LspJson&) {
+  const auto& next = begun().next();
+  const std::uint32_t number = next ? next->number : session_->control().origin().number + 1;
+  go_to_block(number == 0 ? 0 : number - 1, "step");
+  return nullptr;
+}
+
+/// Goes back to the beginning: the breakpoints before it are passed over.
+LspJson DebugAdapter::reverse(const LspJson&) {
+  go_to_block(0, "entry");
+  return nullptr;
+}
+LspJson DebugAdapter::restart(const LspJson& arguments) { return reverse(arguments); }
+
+LspJson DebugAdapter::pause(const LspJson&) {
+  begun().hold_next();
+  reason_ = "pause";
+  return nullptr;
+}
+
+LspJson DebugAdapter::leave(const LspJson&) {
+  running_ = false;
+  over_ = true;
+  return nullptr;
+}
+
+}  // namespace kadr

@@ -1,0 +1,40 @@
+#pragma once
+// RunHistory: snapshots of a run at regular numbers of blocks, so that the run can go back to any block that it has executed.
+//
+//   ●────────●────────●───▸ present block      ●: a snapshot
+//            ↑ restored, and run again up to the wanted block
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "session/stepping.h"
+
+namespace kadr {
+
+class RunHistory {
+ public:
+  /// Stores the first snapshot.
+  ///   pre  the session is held before its first block; both outlive this object
+  RunHistory(Session& session, Stepping& stepping);
+
+  /// Stores a snapshot if enough blocks were executed since the last one. To be called between two calls of Session::go_on().
+  void note();
+  /// Goes back to the block with this number (Origin::number), and is held before it. Number 0 is the beginning.
+  ///   returns  the state of the session: held, or another one if there is no such block
+  ///   alarms   as Session::restore()
+  Result<Session::State> go_back(std::uint32_t number);
+
+ private:
+  struct Kept {
+    SessionSnapshot snapshot;
+    std::uint32_t number = 0;  // number of the last block that was executed before the snapshot
+  };
+  Session& session_;
+  Stepping& stepping_;
+  std::optional<Stepping::Memory> first_;  // the state before the first block
+  std::vector<Kept> all_;
+  std::uint32_t each_;  // number of blocks between two snapshots
+};
+
+}  // namespace kadr

@@ -1,0 +1,331 @@
+#!/usr/bin/env python3
+"""Tests `kadr dap` (docs/lsp.md) as the debugger of an editor uses it: the messages of the Debug Adapter Protocol over standard input and
+output.
+
+    dap.py --kadr build/release/kadr
+
+Checked are breakpoints of every kind, steps into, over and out of calls, steps back, values, lines of the operator, pause, alarms, and that
+each request gets one response, also a wrong one.
+"""
+import json
+import os
+import random
+import select
+import subprocess
+import sys
+import time
+
+import harness
+from harness import expect
+
+PROGRAM = '''O0001
+G21 G90 G54
+#101=0
+N10 #101=#101+1
+G1 X#101 F100
+M98 P0200
+IF[#101LT5]GOTO 10
+G0 Z50.
+M30
+O0200
+G91
+#102=#101*2
+G90
+M99
+'''
+
+
+class Client:
+    """The debugger of an editor, with one program."""
+
+    def __init__(self, kadr):
+        self.process = subprocess.Popen(kadr.command(['dap']), cwd=kadr.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.read, self.last, self.events = b'', 0, []
+        self.path = None
+
+    def put(self, message):
+        data = json.dumps(message).encode()
+        self.process.stdin.write(b'Content-Length: %d\r\n\r\n%s' % (len(data), data))
+        self.process.stdin.flush()
+
+    def get(self):
+        until = time.monotonic() + harness.TIME_LIMIT_S
+        while True:
+            head = self.read.find(b'\r\n\r\n')
+            if head >= 0:
+                end = head + 4 + int(self.read[:head].split(b':')[1])
+                if len(self.read) >= end:
+                    content, self.read = self.read[head + 4:end], self.read[end:]
+                    return json.loads(content)
+            ready, _, _ = select.select([self.process.stdout], [], [], max(0, until - time.monotonic()))
+            expect(ready, f'no message within the time limit; events {self.events[-3:]}')
+            more = os.read(self.process.stdout.fileno(), 65536)
+            expect(more, 'the adapter has ended')
+            self.read += more
+
+    def request(self, command, arguments=None):
+        self.last += 1
+        self.put({'seq': self.last, 'type': 'request', 'command': command, **({} if arguments is None else {'arguments': arguments})})
+        return self.last
+
+    def ask(self, command, **arguments):
+        """Sends a request.  returns its response; events before it are kept"""
+        number = self.request(command, arguments)
+        while True:
+            message = self.get()
+            if message['type'] == 'response':
+                expect(message['request_seq'] == number and message['command'] == command, f'{message}')
+                return message
+            self.events.append(message)
+
+    def body(self, command, **arguments):
+        answer = self.ask(command, **arguments)
+        expect(answer['success'], f'{command} {arguments}: {answer}')
+        return answer.get('body', {})
+
+    def wait(self, *names):
+        """Waits for one of these events.  returns it; the events before it are dropped"""
+        while True:
+            while self.events:
+                event = self.events.pop(0)
+                if event['event'] in names:
+                    return event
+            self.events.append(self.get())
+
+    def begin(self, kadr, text=PROGRAM, control='fanuc', **more):
+        self.path = str(kadr.file('part.nc', text))
+        self.body('initialize', adapterID='kadr', linesStartAt1=True)
+        self.body('launch', program=self.path, control=control, **more)
+        self.wait('initialized')
+        return self
+
+    def points(self, *points, path=None):
+        return self.body('setBreakpoints', source={'path': path or self.path}, breakpoints=[p if isinstance(p, dict) else {'line': p} for p in points])['breakpoints']
+
+    def start(self):
+        self.body('configurationDone')
+        return self.stop()
+
+    def stop(self):
+        """Waits until the program is held or over.  returns the reason and the line"""
+        event = self.wait('stopped', 'terminated')
+        if event['event'] == 'terminated':
+            return 'terminated', 0
+        return event['body']['reason'], self.line()
+
+    def line(self):
+        return self.body('stackTrace', threadId=1)['stackFrames'][0]['line']
+
+    def go(self, command='continue', **more):
+        self.body(command, threadId=1, **more)
+        return self.stop()
+
+    def value(self, expression):
+        return self.body('evaluate', expression=expression, context='watch')['result']
+
+    def end(self):
+        self.body('disconnect')
+        return self.process.wait(harness.TIME_LIMIT_S)
+
+
+def check_entry_and_end(kadr):
+    client = Client(kadr).begin(kadr)
+    reason, line = client.start()
+    expect(reason == 'entry' and line in (1, 2), f'{reason} {line}')
+    expect(client.body('threads')['threads'][0]['id'] == 1, 'one thread')
+    expect(client.go() == ('terminated', 0), 'the end')
+    expect(client.end() == 0, 'exit status')
+
+
+def check_breakpoints(kadr):
+    client = Client(kadr).begin(kadr)
+    expect(all(p['verified'] for p in client.points(5, {'line': 8, 'condition': '#101 GT 4'}, {'line': 12, 'hitCondition': '3'})), 'verified')
+    client.start()
+    seen = []
+    while (stop := client.go())[0] != 'terminated':
+        seen.append((stop[0], stop[1], client.value('#101')))
+    wanted = [('breakpoint', 5, '1'), ('breakpoint', 5, '2'), ('breakpoint', 5, '3'), ('breakpoint', 12, '3'), ('breakpoint', 5, '4'), ('breakpoint', 5, '5'),
+              ('breakpoint', 8, '5')]
+    expect(seen == wanted, f'{seen}')
+    client.end()
+
+
+def check_refused_breakpoints(kadr):
+    client = Client(kadr).begin(kadr)
+    points = client.points({'line': 5, 'condition': '#101 GT'}, {'line': 5, 'hitCondition': 'x'}, 6)
+    expect([p['verified'] for p in points] == [False, False, True] and points[0]['message'], f'{points}')
+    expect(not client.ask('setBreakpoints', source={'path': client.path}, breakpoints=[{'line': -3}])['success'], 'a line that cannot be')
+    client.end()
+
+
+def check_log_points(kadr):
+    client = Client(kadr).begin(kadr)
+    client.points({'line': 5, 'logMessage': 'pass {#101} of {#101*2}'})
+    client.start()
+    client.body('continue', threadId=1)
+    texts = []
+    while (event := client.wait('output', 'terminated'))['event'] == 'output':
+        texts.append(event['body']['output'])
+    expect([t for t in texts if t.startswith('pass')] == [f'pass {n} of {2 * n}\n' for n in range(1, 6)], f'{texts}')
+    client.end()
+
+
+def check_steps(kadr):
+    client = Client(kadr).begin(kadr)
+    client.points(6)
+    client.start()
+    expect(client.go()[1] == 6, 'the call')
+    expect(client.go('stepIn')[1] in (10, 11), 'into the subprogram')
+    frames = client.body('stackTrace', threadId=1)['stackFrames']
+    expect(len(frames) == 2 and frames[1]['line'] == 6 and frames[0]['source']['path'] == client.path, f'{frames}')
+    expect(client.go('stepOut')[1] == 7, 'out of it')
+    client.points()
+    expect(client.go('next')[1] == 4, 'the jump')
+    client.go('next'), client.go('next')
+    expect(client.line() == 6 and client.go('next')[1] == 7, 'over the call')
+    client.end()
+
+
+def check_steps_back(kadr):
+    client = Client(kadr).begin(kadr)
+    client.start()
+    lines = [client.line()]
+    while (stop := client.go('stepIn'))[0] != 'terminated':
+        lines.append(stop[1])
+    back = []
+    for _ in lines:
+        back.append(client.go('stepBack')[1])
+    expect(back == lines[::-1], f'{back} {lines[::-1]}')
+    expect(client.value('#101') in ('empty', '0'), 'the variable of the beginning')
+    expect(client.go('stepIn')[1] == lines[1], 'forward again')
+    expect(client.go('restart') == ('entry', lines[0]), 'from the beginning')
+    client.end()
+
+
+def check_steps_back_in_a_long_run(kadr):
+    """The history has snapshots at a distance; each block before the present one can be reached."""
+    text = 'G21\no1 repeat [20000]\n#1=[#1+1]\no1 endrepeat\nM2\n'
+    client = Client(kadr).begin(kadr, text, 'linuxcnc')
+    client.points(5)
+    client.start()
+    expect(client.go()[1] == 5, 'the end of the loop')
+    for wanted in range(20000, 19990, -1):
+        while client.go('stepBack')[1] != 3:
+            pass
+        expect(client.value('#1') == str(wanted - 1), f'{client.value("#1")} {wanted}')
+    client.end()
+
+
+def check_values(kadr):
+    client = Client(kadr).begin(kadr)
+    client.points(8)
+    client.start()
+    client.go()
+    scopes = {s['name']: s['variablesReference'] for s in client.body('scopes', frameId=0)['scopes']}
+    expect(len(scopes) == 3, f'{scopes}')
+    values = {name: {v['name']: v['value'] for v in client.body('variables', variablesReference=reference)['variables']} for name, reference in scopes.items()}
+    expect(values['Positions, mm']['X'] == '5', f'{values}')
+    expect('G90' in values['In force'].values() and values['In force']['F'] == '100', f'{values}')
+    expect(values['Variables']['#101'] == '5' and values['Variables']['#102'] == '10', f'{values}')
+    expect(client.body('setVariable', variablesReference=scopes['Variables'], name='#101', value='42')['value'] == '42' and client.value('#101') == '42', 'set')
+    expect(not client.ask('setVariable', variablesReference=scopes['Variables'], name='#101', value='[')['success'], 'a wrong value')
+    expect(not client.ask('setVariable', variablesReference=scopes['In force'], name='F', value='1')['success'], 'a mode is not set')
+    expect(not client.ask('evaluate', expression='G0 X1', context='watch')['success'], 'a line is no expression')
+    client.body('evaluate', expression='G0 X77.', context='repl')
+    position = {v['name']: v['value'] for v in client.body('variables', variablesReference=scopes['Positions, mm'])['variables']}
+    expect(position['X'] == '77' and client.line() == 8, f'a line of the operator: {position}')
+    expect(not client.ask('evaluate', expression='G2 R', context='repl')['success'], 'a wrong line')
+    client.end()
+
+
+def check_watched_value(kadr):
+    client = Client(kadr).begin(kadr)
+    client.points(5)
+    client.start()
+    client.go()
+    client.points()
+    info = client.body('dataBreakpointInfo', name='#102')
+    expect(info['dataId'] == '#102' or info['dataId'] is None, f'{info}')
+    info = client.body('dataBreakpointInfo', name='#101')
+    expect(client.body('setDataBreakpoints', breakpoints=[{'dataId': info['dataId']}])['breakpoints'][0]['verified'], 'verified')
+    expect([client.go() + (client.value('#101'),) for _ in range(3)] == [('data breakpoint', 5, str(n)) for n in (2, 3, 4)], 'each change')
+    client.end()
+
+
+def check_breakpoint_on_a_call(kadr):
+    client = Client(kadr).begin(kadr, 'o100 sub\nG0 X1\no100 endsub\no100 call\no100 call\nM2\n', 'linuxcnc')
+    client.body('setFunctionBreakpoints', breakpoints=[{'name': 'O100'}])
+    client.start()
+    expect([client.go()[:2] for _ in range(2)] == [('breakpoint', 2)] * 2, 'both calls')
+    client.end()
+
+
+def check_alarm(kadr):
+    client = Client(kadr).begin(kadr, 'G21 G90\nG1 X1 F100\nG2 X9 I1 J0\nM2\n', 'linuxcnc')
+    client.start()
+    client.body('continue', threadId=1)
+    event = client.wait('stopped')
+    expect(event['body']['reason'] == 'exception' and event['body']['text'], f'{event}')
+    expect(client.go('stepBack')[0] == 'step', 'back from an alarm')
+    client.end()
+
+
+def check_pause(kadr):
+    client = Client(kadr).begin(kadr, 'G21\no1 while [1]\n#1=[#1+1]\no1 endwhile\nM2\n', 'linuxcnc')
+    client.start()
+    client.body('continue', threadId=1)
+    client.body('pause', threadId=1)
+    reason, line = client.stop()
+    expect(reason == 'pause' and line in (2, 3, 4), f'{reason} {line}')
+    client.body('continue', threadId=1)
+    expect(client.end() == 0, 'the end of a program that runs')
+
+
+def check_without_stop_on_entry(kadr):
+    client = Client(kadr).begin(kadr, stopOnEntry=False)
+    client.points(8)
+    expect(client.start() == ('breakpoint', 8), 'the first breakpoint')
+    client.end()
+
+
+def check_wrong_requests(kadr):
+    client = Client(kadr)
+    for command, arguments in (('stackTrace', {}), ('continue', {}), ('setBreakpoints', {'source': {'path': 'x'}, 'breakpoints': [{'line': 1}]}), ('launch', {}),
+                               ('launch', {'program': 'missing.nc'}), ('unknown', {}), ('variables', {'variablesReference': 1}), ('evaluate', {'expression': 5})):
+        answer = client.ask(command, **arguments)
+        expect(not answer['success'] and answer['message'], f'{command}: {answer}')
+    client.put(['no', 'message'])
+    client.put({'type': 'request', 'command': 'threads'})
+    expect(client.ask('threads')['success'], 'the adapter lives')
+    expect(client.end() == 0, 'exit status')
+    client = Client(kadr).begin(kadr)
+    client.start()
+    client.process.stdin.close()
+    expect(client.process.wait(harness.TIME_LIMIT_S) == 1, 'the end of the input')
+
+
+def check_random_requests(kadr):
+    draw = random.Random(3)
+    client = Client(kadr).begin(kadr)
+    client.start()
+    commands = ['stackTrace', 'scopes', 'variables', 'evaluate', 'setVariable', 'continue', 'next', 'stepIn', 'stepOut', 'stepBack', 'pause', 'restart',
+                'setBreakpoints', 'setFunctionBreakpoints', 'setDataBreakpoints', 'dataBreakpointInfo', 'threads', 'launch', 'nothing', 'configurationDone']
+    waiting = {}
+    for _ in range(400):
+        arguments = {'threadId': 1, 'expression': draw.choice(['#101', 'G0 X1', '[', 5]), 'context': draw.choice(['repl', 'watch']), 'name': draw.choice(['#101', 'F', 7]),
+                     'value': draw.choice(['1', '[']), 'variablesReference': draw.choice([1, 2, 3, 'x']), 'source': {'path': draw.choice([client.path, '/x', 4])},
+                     'breakpoints': draw.choice([[], [{'line': 5}], [{'line': 'x'}], [{'name': 'O200', 'dataId': '#101'}], 5])}
+        command = draw.choice(commands)
+        waiting[client.request(command, draw.choice([arguments, arguments, {}, 5]))] = command
+    last = client.request('threads')
+    while (message := client.get()).get('request_seq') != last:
+        if message['type'] == 'response':
+            expect(waiting.pop(message['request_seq'], None) == message['command'], f'a second response: {message}')
+    expect(not waiting, f'without a response: {waiting}')
+    client.events.clear()
+    client.request('disconnect')
+    expect(client.process.wait(harness.TIME_LIMIT_S) == 0, 'the end')
+
+
+if __name__ == '__main__':
+    sys.exit(harness.main(__doc__, globals()))
