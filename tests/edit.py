@@ -42,6 +42,8 @@ EDITS = [
      'N70 G0 X20.\nN80 G1 Z-20.\nN90 X60.\nN100 G70 P70 Q90\nN110 G0 X100. Z50.\nN120 M30\n'),
     ('a local subprogram', 'haas', '%\nO00001\nG21 G90 G54\nT1 M6\nS1000 M3\nG0 X0 Y0\nM97 P50 L2\nM30\nN50 G91 G0 X1.\nG90 M99\n%\n', ['--renumber', '1'],
      '%\nO00001\nN1 G21 G90 G54\nN2 T1 M6\nN3 S1000 M3\nN4 G0 X0 Y0\nN5 M97 P7 L2\nN6 M30\nN7 G91 G0 X1.\nN8 G90 M99\n%\n'),
+    ('the slash of a line that is moved in', 'linuxcnc', 'G21 G91\n  / G0 Z1\n\t/G0 X1\nM2\n', ['--renumber', '10'],
+     'N10 G21 G91\n  / N20 G0 Z1\n\t/N30 G0 X1\nN40 M2\n'),
     ('lines with a remark only get no number', 'fanuc', '%\nO1\n(A)\n/2G0X1.\n(B)\nM30\n%\n', ['--renumber', '10'], '%\nO1\n(A)\n/2N10 G0X1.\n(B)\nN20 M30\n%\n'),
     ('comments, spaces and empty lines go', 'fanuc', MILL + '\n(SLOT)\nN10 G1 Z-5. F100. (IN)\n\n' + END, ['--strip', 'comments,spaces,empty-lines'],
      '%\nO0001\nG21G90G17G40G49G80\nT1M6\nS2000M3\nG54G0X0Y0\nG43H1Z50.\nN10G1Z-5.F100.\nG0Z100.\nM30\n%\n'),

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/ascii.h"
 #include "config/control/control_def.h"
 #include "texts/edit.h"
 
@@ -25,6 +24,20 @@ std::string_view letters_of(const CodeRow& row) {
     case Function::turning_cycle: return row.tenth >= first_figure_cycle && row.tenth <= last_figure_cycle ? "PQ" : "";
     default: return "";
   }
+}
+
+/// Returns the offset at which the number of a block is written: after the slash of a block that can be skipped, the number of its switch,
+/// and the blanks around them.
+std::uint32_t place_of_number(const Block& block) {
+  std::size_t at = block.where.begin;
+  const auto pass_over = [&](const char* what) { at = std::min(block.text.find_first_not_of(what, at), block.text.size()); };
+  pass_over(" \t");
+  if (at < block.text.size() && block.text[at] == '/') {
+    ++at;
+    pass_over("0123456789");
+  }
+  pass_over(" \t");
+  return static_cast<std::uint32_t>(at);
 }
 
 }  // namespace
@@ -158,12 +171,7 @@ tl::expected<void, EditFault> Renumbering::change(const Block& block, LineChange
     to.replace(block.number_where, number_word(block, number));
     return {};
   }
-  std::uint32_t at = block.where.begin;
-  if (at < block.text.size() && block.text[at] == '/') {
-    ++at;
-    while (at < block.text.size() && is_digit(block.text[at])) ++at;  // the number of the skip switch
-  }
-  while (at < block.text.size() && block.text[at] == ' ') ++at;
+  const std::uint32_t at = place_of_number(block);
   to.replace({at, at}, number_word(block, number) + " ");
   return {};
 }
