@@ -27,6 +27,8 @@ std::size_t Stock::bytes_of_past() const { return past_ ? past_->bytes() : 0; }
 Stock::Stock(const Stock& later, std::size_t count)
     : blank_(later.blank_),
       lattice_(later.lattice_),
+      own_(later.own_),
+      is_portion_(later.is_portion_),
       scale_(later.scale_),
       bend_cell_(later.bend_cell_),
       threads_(later.threads_),

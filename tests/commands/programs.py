@@ -14,7 +14,7 @@ from commands.observed import Kadr, not_json, text
 from golden import check as golden
 
 EXAMPLES = harness.ROOT / 'examples'
-PROGRAMS = ('.nc', '.nct', '.tap', '.ngc', '.tape')
+PROGRAMS = ('.nc', '.nct', '.tap', '.ngc', '.mpf', '.tape')
 CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 'haas', 'grbl')
 TOOLS = ''.join(f'[[tool]]\nnumber = {number}\nkind = "flat"\ndiameter = 10\nflute_length = 30\nlength = 60\n' for number in range(1, 31))
 CUT = ('--stock', 'box:-20,-20,-10,40,40,5', '--resolution', '2')   # a small blank at a coarse resolution
