@@ -26,7 +26,7 @@ export function convert_steps({ kadr, page, pictures }) {
     }
     await until("its name", async () => (await text(".topbar .file")) === path.join("/"));
     await ended();
-    await page.locator(".files-verbs button").last().focus();
+    await page.locator('.files-verbs button[data-needs="program"]').last().focus();
     await page.keyboard.press("Enter");
     await until("the choice of a control has the focus", () =>
       page.evaluate(() => document.activeElement?.name === "to"),
