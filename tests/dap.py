@@ -271,12 +271,12 @@ def check_alarm(kadr):
 
 
 def check_pause(kadr):
-    client = Client(kadr).begin(kadr, 'G21\no1 while [1]\n#1=[#1+1]\no1 endwhile\nM2\n', 'linuxcnc')
+    client = Client(kadr).begin(kadr, 'G21 F100\no1 while [1]\nG1 X[#1]\n#1=[#1+1]\no1 endwhile\nM2\n', 'linuxcnc')
     client.start()
     client.body('continue', threadId=1)
     client.body('pause', threadId=1)
     reason, line = client.stop()
-    expect(reason == 'pause' and line in (2, 3, 4), f'{reason} {line}')
+    expect(reason == 'pause' and line in (2, 3, 4, 5), f'{reason} {line}')
     client.body('continue', threadId=1)
     expect(client.end() == 0, 'the end of a program that runs')
 

@@ -150,7 +150,6 @@ void DebugAdapter::open(const LspJson& arguments) {
   if (!program) throw LspFault{LspFault::request_failed, program.error()};
   SessionSpec spec = opened_->spec(std::move(*program), {});
   spec.setup.channels.clear();
-  spec.limits.repeated_blocks = ~std::uint64_t{0};  // the user can pause a program that never ends
   auto session = Session::open(std::move(spec));
   if (!session) throw LspFault{LspFault::request_failed, in_thread_language(session.error().fault.en, session.error().fault.ru)};
   session_ = std::move(*session);
