@@ -35,7 +35,7 @@ std::shared_ptr<const DialectState> Sinumerik::snapshot() const {
   return kept;
 }
 
-Status Sinumerik::restore(BlockContext& m, const DialectState& from) {
+Status Sinumerik::restore(BlockContext&, const DialectState& from) {
   const Kept& then = static_cast<const Kept&>(from);
   memory = separate_copy(then.memory);
   words = then.words;
@@ -43,7 +43,6 @@ Status Sinumerik::restore(BlockContext& m, const DialectState& from) {
   circle_by_name_ = then.circle_by_name;
   kept_ = false;
   written_.clear();
-  if (const auto transform = transform_of(memory.programmable)) m.transform = *transform;
   found_.clear();
   indices_.clear();
   return {};
@@ -179,7 +178,10 @@ bool Sinumerik::end_program(Interpreter& m) {
   memory.rounding = memory.tolerance = m.modal.blend_tolerance = 0;
   memory.feed_in_mm = false;
   memory.programmable = {};
+  const auto switches = m.transform.mirror;
   m.transform = Transform();
+  m.transform.mirror = switches;
+  m.transform.refresh();
   memory.edge = 0;
   m.modal.offset_number = 0;
   m.change_frames();

@@ -24,7 +24,10 @@ Status Sinumerik::set_programmable(Emitter& m, const Frame& frame, Span where) {
   for (std::size_t a = 0; a < 3; ++a)
     if (transform->scale[a] == 0) return fail(alarm(AlarmId::scale_zero, where, std::string_view(m.axis_names[a])));
   memory.programmable = frame;
+  const auto switches = m.transform.mirror;  // the switches of the panel mirror outside of every frame
   m.transform = *transform;
+  m.transform.mirror = switches;
+  m.transform.refresh();
   m.position.programmed = m.transform.to_programmed(m.position.work);
   memory.has_direction = false;
   return {};
