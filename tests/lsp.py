@@ -25,15 +25,22 @@ FIRST = 5000   # the number of the first random request
 NOT_FOUND, WRONG_PARAMS, NOT_INITIALIZED, WRONG_REQUEST, CANCELLED, FAILED = -32601, -32602, -32002, -32600, -32800, -32803
 
 
-class Editor:
-    """An editor that talks with the program under test."""
+ABLE = {'workspace': {'applyEdit': True, 'workspaceEdit': {'documentChanges': True, 'resourceOperations': ['create', 'rename']}},
+        'window': {'showDocument': {'support': True}},
+        'textDocument': {'codeAction': {'codeActionLiteralSupport': {'codeActionKind': {'valueSet': ['quickfix', 'refactor']}}},
+                         'documentSymbol': {'hierarchicalDocumentSymbolSupport': True}, 'hover': {'contentFormat': ['markdown', 'plaintext']}}}
 
-    def __init__(self, kadr, options=None, encodings=('utf-16',), locale='en', begins=True):
+
+class Editor:
+    """An editor that talks with the program under test. `able`: its capabilities."""
+
+    def __init__(self, kadr, options=None, encodings=('utf-16',), locale='en', begins=True, able=None):
         self.process = subprocess.Popen(kadr.command(['lsp', '--stdio']), cwd=kadr.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.read, self.last, self.notes = b'', 0, []
         if begins:
             self.capabilities = self.ask('initialize', {'processId': None, 'rootUri': None, 'locale': locale, 'initializationOptions': options or {},
-                                                        'capabilities': {'general': {'positionEncodings': list(encodings)}}})['result']['capabilities']
+                                                        'capabilities': {'general': {'positionEncodings': list(encodings)}, **(ABLE if able is None else able)}})
+            self.capabilities = self.capabilities['result']['capabilities']
             self.tell('initialized', {})
 
     def put(self, content):
@@ -100,6 +107,16 @@ class Editor:
 
     def of(self, method, **more):
         return self.ask(f'textDocument/{method}', {'textDocument': {'uri': URI}, **more})['result']
+
+    def asked(self, method):
+        """Waits for a request of the server.  returns it; it is not answered yet"""
+        while True:
+            for i, note in enumerate(self.notes):
+                if note['method'] == method:
+                    return self.notes.pop(i)
+            message = self.get()
+            expect(message is not None and 'method' in message, f'{method} expected: {message}')
+            self.notes.append(message)
 
     def until(self, answer):
         """Repeats a request until its answer is not empty: the results of the lines follow the findings."""
@@ -357,6 +374,127 @@ def check_quick_fix(kadr):
     actions = editor.of('codeAction', range=found[0]['range'], context={'diagnostics': []})
     expect(actions and actions[0]['kind'] == 'quickfix', f'{found} {actions}')
     expect(applied(text, actions[0]['edit']['changes'][URI]) == text.replace('(OPEN', '(OPEN)'), f'{actions}')
+    editor.close()
+
+
+def check_actions_of_the_whole_program(kadr):
+    editor = Editor(kadr, {'control': 'fanuc'})
+    editor.open(FANUC)
+    editor.findings()
+
+    def titles(**context):
+        return [action['title'] for action in editor.of('codeAction', range=area(2, 0, 0), context={'diagnostics': [], **context})]
+    everything = titles()
+    expect('Convert to mach3…' in everything and 'Convert to fanuc…' not in everything and everything[0].startswith('Number'), f'{everything}')
+    expect(len(titles(only=['refactor.rewrite.renumber'])) == 1 and titles(only=['refactor']) == everything, 'kinds are a hierarchy')
+    expect(titles(only=['quickfix']) == [] and titles(triggerKind=2) == [], 'not asked for')
+    editor.close()
+    for able, count in (({}, 0), ({'workspace': {'applyEdit': True}}, 1)):
+        editor = Editor(kadr, {'control': 'fanuc'}, able=able)
+        editor.open(FANUC)
+        editor.findings()
+        actions = editor.of('codeAction', range=area(2, 0, 0), context={'diagnostics': []})
+        expect(len(actions) == count and all(isinstance(action['command'], str) for action in actions), f'{able}: {actions}')
+        editor.close()
+
+
+def check_renumber(kadr):
+    text = 'O1\nG21 G90\nN7 G0 X1.\nIF[#1GT0]GOTO 7\nM30\n'
+    for able in (None, {'workspace': {'applyEdit': True}}):
+        editor = Editor(kadr, {'control': 'fanuc'}, able=able)
+        editor.open(text, version=4)
+        editor.findings(4)
+        editor.put({'jsonrpc': '2.0', 'id': 900, 'method': 'workspace/executeCommand', 'params': {'command': 'kadr.renumber', 'arguments': [URI]}})
+        asked = editor.asked('workspace/applyEdit')
+        edit = asked['params']['edit']
+        if able is None:
+            expect(edit['documentChanges'][0]['textDocument'] == {'uri': URI, 'version': 4}, f'{edit}')
+        edits = edit['documentChanges'][0]['edits'] if able is None else edit['changes'][URI]
+        path = kadr.file('part.nc', text)
+        wanted = kadr.call('edit', path, '--control', 'fanuc', '--renumber', '10').stdout
+        expect(applied(text, edits) == wanted and 'GOTO 20' in wanted, applied(text, edits))
+        expect(editor.answer(900)['result'] is None, 'the answer')
+        editor.put({'jsonrpc': '2.0', 'id': asked['id'], 'result': {'applied': True}})
+        expect('nothing else has changed' in editor.asked('window/showMessage')['params']['message'], 'the proof is told')
+        editor.close()
+
+
+def check_refused_commands(kadr):
+    editor = Editor(kadr, {'control': 'fanuc'})
+    editor.open('O1\nG21 G90 F100\nG0 X1.\nGOTO #1\nM30\n')
+    editor.findings()
+
+    def refusal(command, *arguments):
+        return editor.ask('workspace/executeCommand', {'command': command, 'arguments': list(arguments)})['error']
+    expect(refusal('kadr.renumber', URI)['code'] == FAILED, 'a computed number cannot be renumbered')
+    expect(refusal('kadr.convert', URI, 'nonsense')['code'] == FAILED, 'no such control')
+    for command, arguments in (('kadr.nothing', [URI]), ('kadr.renumber', []), ('kadr.renumber', [5]), ('kadr.convert', [URI]), ('kadr.renumber', ['file:///x'])):
+        expect(refusal(command, *arguments)['code'] == WRONG_PARAMS, f'{command} {arguments}')
+    editor.close()
+    editor = Editor(kadr, {'control': 'fanuc'}, able={'workspace': {'applyEdit': True}})
+    editor.open(FANUC)
+    expect(refusal('kadr.convert', URI, 'mach3')['code'] == FAILED, 'an editor that creates no files')
+    editor.close()
+
+
+def check_convert(kadr):
+    text = '%\nO0001\nG90 G54 G17 G21\nT1 M6\nG0 X0 Y0 S1200 M3\nG43 Z50. H1\nG1 Z-1. F200\nX10.\nM30\n%\n'
+    path = kadr.file('part.nc', text.replace('\n', '\r\n'))
+    uri, wanted = f'file://{path}', f'file://{path}'.replace('.nc', '-linuxcnc.nc')
+    editor = Editor(kadr, {'control': 'fanuc'})
+    editor.open(text.replace('\n', '\r\n'), uri)
+    for name in ('', '-2'):   # an existing file is not overwritten
+        convert = {'jsonrpc': '2.0', 'id': 900, 'method': 'workspace/executeCommand', 'params': {'command': 'kadr.convert', 'arguments': [uri, 'linuxcnc']}}
+        editor.put(convert)
+        asked = editor.asked('workspace/applyEdit')
+        create, change = asked['params']['edit']['documentChanges']
+        new = wanted.replace('.nc', f'{name}.nc')
+        expect(create == {'kind': 'create', 'uri': new} and change['textDocument'] == {'uri': new, 'version': None}, f'{create}')
+        converted = kadr.call('convert', path, '--from', 'fanuc', '--to', 'linuxcnc')
+        expect(change['edits'] == [{'range': area(0, 0, 0), 'newText': converted.stdout}] and converted.stdout, f'{change}')
+        expect(editor.answer(900)['result'] is None, 'the answer')
+        editor.put({'jsonrpc': '2.0', 'id': asked['id'], 'result': {'applied': True}})
+        shown = editor.asked('window/showDocument')
+        expect(shown['params']['uri'] == new, f'{shown}')
+        editor.put({'jsonrpc': '2.0', 'id': shown['id'], 'result': {'success': True}})
+        expect('equal' in editor.asked('window/showMessage')['params']['message'], 'the proof is told')
+        kadr.file('part-linuxcnc.nc', '')
+    editor.put(convert)
+    asked = editor.asked('workspace/applyEdit')
+    expect('result' in editor.answer(900), 'the answer')
+    editor.put({'jsonrpc': '2.0', 'id': asked['id'], 'result': {'applied': False, 'failureReason': 'no room'}})
+    expect('no room' in editor.asked('window/showMessage')['params']['message'], 'a refusal of the editor is told')
+    editor.close()
+
+
+def check_cancelled_commands(kadr):
+    editor = Editor(kadr, {'control': 'fanuc'})
+    editor.open(FANUC)
+    for number in range(1000, 1010):
+        editor.put({'jsonrpc': '2.0', 'id': number, 'method': 'workspace/executeCommand', 'params': {'command': 'kadr.renumber', 'arguments': [URI]}})
+    for number in range(1000, 1010):
+        editor.tell('$/cancelRequest', {'id': number})
+    seen = {}
+    while len(seen) < 10:
+        message = editor.get()
+        if 'method' not in message:
+            expect(message['id'] not in seen, f'a second answer: {message}')
+            seen[message['id']] = message
+    expect(all('result' in m or m['error']['code'] == CANCELLED for m in seen.values()), f'{seen}')
+    expect(editor.close() == 0, 'the end')
+
+
+def check_simple_editors(kadr):
+    """What an editor has not stated it is not sent: nested symbols, Markdown, code actions."""
+    editor = Editor(kadr, {'control': 'fanuc'}, able={})
+    editor.open(FANUC)
+    editor.findings()
+    symbols = editor.of('documentSymbol')
+    expect([s['name'] for s in symbols] == ['O1', 'T1 FACE MILL', 'O200'] and symbols[1]['containerName'] == 'O1' and 'location' in symbols[0], f'{symbols}')
+    contents = editor.at('hover', 11, 1)['contents']
+    expect(contents['kind'] == 'plaintext' and '`' not in contents['value'], f'{contents}')
+    editor.change(FANUC.replace('(FACE MILL)', '(FACE MILL'), 2)
+    expect(editor.findings(2) and editor.of('codeAction', range=area(3, 0, 9), context={'diagnostics': []}) == [], 'no quick fix')
     editor.close()
 
 

@@ -2,6 +2,8 @@
 
 #include "lsp/features.h"
 
+#include "lsp/proven_commands.h"
+
 namespace kadr {
 
 LspJson capabilities_json(const char* encoding) {
@@ -18,7 +20,8 @@ LspJson capabilities_json(const char* encoding) {
           {"workspaceSymbolProvider", true},
           {"foldingRangeProvider", true},
           {"inlayHintProvider", true},
-          {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
+          {"codeActionProvider", {{"codeActionKinds", {"quickfix", "refactor.rewrite"}}}},
+          {"executeCommandProvider", {{"commands", {convert_command, renumber_command}}}},
           {"codeLensProvider", {{"resolveProvider", false}}},
           {"documentFormattingProvider", true},
           {"renameProvider", {{"prepareProvider", true}}},

@@ -16,7 +16,8 @@ LspJson actions_json(const OpenDocument& document, const TextRange& range);
 
 // ---- hover.cpp
 /// Returns the text of the word at the position, and the position of the tool after the line; null if Kadr knows nothing of it.
-LspJson hover_json(const OpenDocument& document, const TextPosition& position);
+///   markdown  the editor shows Markdown; else it is plain text
+LspJson hover_json(const OpenDocument& document, const TextPosition& position, bool markdown);
 /// Returns the words that the code before the position takes, as the parameters of a call.
 LspJson signature_json(const OpenDocument& document, const TextPosition& position);
 
@@ -34,7 +35,9 @@ LspJson renamed_place_json(const OpenDocument& document, const TextPosition& pos
 LspJson rename_json(const OpenDocument& document, const TextPosition& position, const std::string& name);
 
 // ---- outline.cpp
-LspJson symbols_json(const OpenDocument& document);
+/// Returns the programs of the document, with what each tool does in them. `nested`: as DocumentSymbol; else as a list of
+/// SymbolInformation.
+LspJson symbols_json(const OpenDocument& document, bool nested);
 void add_workspace_symbols(const OpenDocument& document, const std::string& query, LspJson& to);
 LspJson folding_json(const OpenDocument& document);
 /// Returns the end points of the motions of the lines in the range, as hints behind the lines.

@@ -36,7 +36,7 @@ std::string result_text(const OpenDocument& document, const LineResult& result) 
 
 }  // namespace
 
-LspJson hover_json(const OpenDocument& document, const TextPosition& position) {
+LspJson hover_json(const OpenDocument& document, const TextPosition& position, bool markdown) {
   if (document.opened() == nullptr || position.line >= document.text().lines()) return nullptr;
   const TextDocument& text = document.text();
   const std::uint32_t column = std::min(position.column, text.range_of_line(position.line).end.column);
@@ -50,9 +50,9 @@ LspJson hover_json(const OpenDocument& document, const TextPosition& position) {
   }
   const LineResult* const result = document.result(position.line);
   if (shown.empty() && result == nullptr) return nullptr;
-  std::string markdown = shown.empty() ? std::string() : fmt::format("```text\n{}\n```", shown);
-  if (result != nullptr) markdown += (markdown.empty() ? "" : "\n\n") + result_text(document, *result);
-  return {{"contents", {{"kind", "markdown"}, {"value", markdown}}}, {"range", range_json(range)}};
+  if (markdown && !shown.empty()) shown = fmt::format("```text\n{}\n```", shown);
+  if (result != nullptr) shown += (shown.empty() ? "" : "\n\n") + result_text(document, *result);
+  return {{"contents", {{"kind", markdown ? "markdown" : "plaintext"}, {"value", shown}}}, {"range", range_json(range)}};
 }
 
 LspJson signature_json(const OpenDocument& document, const TextPosition& position) {

@@ -46,6 +46,7 @@ const std::map<std::string_view, LanguageServer::Method>& LanguageServer::notifi
   static const std::map<std::string_view, Method> all = {
       {"initialized", &S::nothing},
       {"exit", &S::exit},
+      {"$/cancelRequest", &S::cancel},
       {"textDocument/didOpen", &S::did_open},
       {"textDocument/didChange", &S::did_change},
       {"textDocument/didSave", &S::did_save},
@@ -64,8 +65,12 @@ void LanguageServer::notify(const char* method, LspJson params) {
   send_(dumped_message({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}));
 }
 
+void LanguageServer::refuse(const LspJson& id, LspFault::Code code, std::string text) {
+  answer(id, "error", {{"code", int(code)}, {"message", std::move(text)}});
+}
+
 void LanguageServer::refuse_cancelled(const LspJson& id) {
-  answer(id, "error", {{"code", LspFault::request_cancelled}, {"message", translated_in(choice_.lang, texts::lsp::cancelled)}});
+  refuse(id, LspFault::request_cancelled, translated_in(choice_.lang, texts::lsp::cancelled));
 }
 
 void LanguageServer::take(std::string_view text) {
@@ -77,8 +82,8 @@ void LanguageServer::take(std::string_view text) {
   const bool has_id = message.is_object() && id != message.end() && (id->is_number() || id->is_string());
   const LspJson answer_to = has_id ? *id : LspJson(nullptr);
   if (!message.is_object() || !message.contains("method") || !message["method"].is_string()) {
-    // An answer of the editor to a request of the server has no method; this server makes no requests.
-    if (message.is_object() && has_id && (message.contains("result") || message.contains("error"))) return;
+    // An answer of the editor to a request of the server has no method.
+    if (has_id && (message.contains("result") || message.contains("error"))) return take_answer(message);
     return answer(answer_to, "error", {{"code", LspFault::invalid_request}, {"message", translated(texts::lsp::no_message)}});
   }
   const std::string method = message["method"];
@@ -96,18 +101,16 @@ void LanguageServer::take(std::string_view text) {
 }
 
 void LanguageServer::take_request(const LspJson& id, const std::string& method, const LspJson& params) {
-  const auto refuse = [&](LspFault::Code code, std::string text) {
-    answer(id, "error", {{"code", int(code)}, {"message", std::move(text)}});
-  };
-  const auto found = requests().find(method);
-  if (shut_down_) return refuse(LspFault::invalid_request, translated(texts::lsp::shut_down));
-  if (!initialized_ && method != "initialize") return refuse(LspFault::not_initialized, translated(texts::lsp::not_initialized));
-  if (initialized_ && method == "initialize") return refuse(LspFault::invalid_request, translated(texts::lsp::initialized_twice));
-  if (found == requests().end()) return refuse(LspFault::method_not_found, translated(texts::lsp::no_such_method, method));
+  if (shut_down_) return refuse(id, LspFault::invalid_request, translated(texts::lsp::shut_down));
+  if (!initialized_ && method != "initialize") return refuse(id, LspFault::not_initialized, translated(texts::lsp::not_initialized));
+  if (initialized_ && method == "initialize") return refuse(id, LspFault::invalid_request, translated(texts::lsp::initialized_twice));
   try {
+    if (method == "workspace/executeCommand") return execute_command(id, params);
+    const auto found = requests().find(method);
+    if (found == requests().end()) throw LspFault{LspFault::method_not_found, translated(texts::lsp::no_such_method, method)};
     answer(id, "result", (this->*found->second)(params));
   } catch (const LspFault& fault) {
-    refuse(fault.code, fault.text);
+    refuse(id, fault.code, fault.text);
   }
 }
 
@@ -147,6 +150,7 @@ LspJson LanguageServer::initialize(const LspJson& params) {
         unit_ = unit;
         break;
       }
+  if (const auto abilities = params.find("capabilities"); abilities != params.end()) editor_ = abilities_in(*abilities);
   initialized_ = true;
   const char* const encoding = unit_ == ColumnUnit::utf8 ? "utf-8" : unit_ == ColumnUnit::utf32 ? "utf-32" : "utf-16";
   return {{"capabilities", capabilities_json(encoding)}, {"serverInfo", {{"name", "kadr"}, {"version", version_}}}};
@@ -154,6 +158,7 @@ LspJson LanguageServer::initialize(const LspJson& params) {
 
 LspJson LanguageServer::shutdown(const LspJson&) {
   shut_down_ = true;
+  for (const Waiting& one : std::exchange(commands_, {})) refuse_cancelled(one.id);
   return nullptr;
 }
 
@@ -215,11 +220,13 @@ LspJson LanguageServer::did_change_watched_files(const LspJson&) {
 }
 
 bool LanguageServer::has_work() const {
-  return !shut_down_ && std::any_of(documents_.begin(), documents_.end(), [](const auto& one) { return !one.second->is_done(); });
+  if (shut_down_) return false;
+  return !commands_.empty() || std::any_of(documents_.begin(), documents_.end(), [](const auto& one) { return !one.second->is_done(); });
 }
 
 void LanguageServer::work(const StopToken& stop) {
   set_thread_language(choice_.lang);
+  if (!commands_.empty()) return work_on_command(stop);
   for (auto& [uri, document] : documents_) {
     if (document->is_checked()) continue;
     if (document->check(stop)) publish(*document);
@@ -236,7 +243,9 @@ void LanguageServer::publish(const OpenDocument& document) {
 
 // ---- features
 
-LspJson LanguageServer::hover(const LspJson& params) { return hover_json(document_of(params), position_in(member(params, "position"))); }
+LspJson LanguageServer::hover(const LspJson& params) {
+  return hover_json(document_of(params), position_in(member(params, "position")), editor_.markdown);
+}
 LspJson LanguageServer::completion(const LspJson& params) {
   return completion_json(document_of(params), position_in(member(params, "position")));
 }
@@ -258,7 +267,7 @@ LspJson LanguageServer::prepare_rename(const LspJson& params) {
 LspJson LanguageServer::rename(const LspJson& params) {
   return rename_json(document_of(params), position_in(member(params, "position")), text_in(params, "newName"));
 }
-LspJson LanguageServer::document_symbols(const LspJson& params) { return symbols_json(document_of(params)); }
+LspJson LanguageServer::document_symbols(const LspJson& params) { return symbols_json(document_of(params), editor_.nested_symbols); }
 LspJson LanguageServer::workspace_symbols(const LspJson& params) {
   LspJson all = LspJson::array();
   const std::string query = text_in(params, "query");
@@ -268,7 +277,6 @@ LspJson LanguageServer::workspace_symbols(const LspJson& params) {
 LspJson LanguageServer::folding(const LspJson& params) { return folding_json(document_of(params)); }
 LspJson LanguageServer::tokens(const LspJson& params) { return tokens_json(document_of(params)); }
 LspJson LanguageServer::hints(const LspJson& params) { return hints_json(document_of(params), range_in(member(params, "range"))); }
-LspJson LanguageServer::actions(const LspJson& params) { return actions_json(document_of(params), range_in(member(params, "range"))); }
 LspJson LanguageServer::lenses(const LspJson& params) { return lenses_json(document_of(params)); }
 LspJson LanguageServer::formatting(const LspJson& params) { return formatting_json(document_of(params)); }
 

@@ -10,10 +10,13 @@
 #include <string_view>
 
 #include "base/stop_token.h"
+#include "lsp/editor_abilities.h"
 #include "lsp/lsp_json.h"
 #include "lsp/open_document.h"
 
 namespace kadr {
+
+struct CommandOutcome;
 
 class LanguageServer {
  public:
@@ -29,9 +32,9 @@ class LanguageServer {
   /// Answers a request that the editor has cancelled before it was executed.
   void refuse_cancelled(const LspJson& id);
 
-  /// True if some document has changed since its last check, or since its last run.
+  /// True if a command waits, or if some document has changed since its last check, or since its last run.
   bool has_work() const;
-  /// Checks one such document and publishes the findings, or runs it for the results of its lines.
+  /// Executes a command that waits; else checks one such document and publishes the findings, or runs it for the results of its lines.
   ///   stop  ends the work early; the next call begins it again
   void work(const StopToken& stop);
 
@@ -47,7 +50,11 @@ class LanguageServer {
 
   void take_request(const LspJson& id, const std::string& method, const LspJson& params);
   void answer(const LspJson& id, const char* member, LspJson value);
+  void refuse(const LspJson& id, LspFault::Code code, std::string text);
+  void take_answer(const LspJson& message);
   void notify(const char* method, LspJson params);
+  void ask(const char* method, LspJson params, std::function<void(const LspJson& answer)> then);
+  void show(int type, const std::string& text);
   OpenDocument& document_of(const LspJson& params);
   void publish(const OpenDocument& document);
   void choose(const LspJson& settings);
@@ -76,11 +83,25 @@ class LanguageServer {
   LspJson tokens(const LspJson& params);
   LspJson hints(const LspJson& params);
   LspJson actions(const LspJson& params);
+  void execute_command(const LspJson& id, const LspJson& params);
+  void work_on_command(const StopToken& stop);
+  void apply(const CommandOutcome& outcome);
+  LspJson cancel(const LspJson& params);
   LspJson lenses(const LspJson& params);
   LspJson formatting(const LspJson& params);
 
+  /// A command that waits for its execution. Its request is answered afterwards.
+  struct Waiting {
+    LspJson id;
+    std::string command, uri, argument;
+  };
+
   const Send send_;
   const std::string version_;
+  EditorAbilities editor_;
+  std::deque<Waiting> commands_;
+  std::map<std::string, std::function<void(const LspJson& answer)>> asked_;  // requests to the editor, by id
+  std::uint64_t last_asked_ = 0;
   DocumentChoice choice_;
   ColumnUnit unit_ = ColumnUnit::utf16;
   std::map<std::string, std::unique_ptr<OpenDocument>> documents_;  // by URI

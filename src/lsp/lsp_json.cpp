@@ -51,6 +51,11 @@ std::string text_in(const LspJson& object, const char* name) {
   return value.get<std::string>();
 }
 
+std::string text_or(const LspJson& object, const char* name, std::string otherwise) {
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return object.is_object() && found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
+}
+
 TextPosition position_in(const LspJson& json) { return {count_in_member(json, "line"), count_in_member(json, "character")}; }
 
 TextRange range_in(const LspJson& json) { return {position_in(member(json, "start")), position_in(member(json, "end"))}; }

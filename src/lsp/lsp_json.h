@@ -37,6 +37,8 @@ TextRange range_in(const LspJson& json);
 ///   throws  LspFault if there is none, or if it is of another type
 const LspJson& member(const LspJson& object, const char* name);
 std::string text_in(const LspJson& object, const char* name);
+/// Returns a text of an object, or `otherwise` if there is none.
+std::string text_or(const LspJson& object, const char* name, std::string otherwise);
 
 /// Returns the path of a file: URI, and back. Percent-encoded bytes are decoded (RFC 3986 2.1). Returns nullopt for other schemes.
 std::optional<std::string> path_of_uri(std::string_view uri);

@@ -32,10 +32,15 @@ void MessageInbox::read(int input) {
 void MessageInbox::put(std::string message) {
   LspJson json = LspJson::parse(message, nullptr, false);
   const std::lock_guard hold(lock_);
-  if (json.is_object() && json.value("method", LspJson()) == "$/cancelRequest") {
-    const auto params = json.find("params");
-    if (params != json.end() && params->is_object() && params->contains("id")) cancelled_.push_back((*params)["id"]);
-  } else {
+  const auto is_cancelled = [&](const LspJson& id) {
+    const auto found = std::find_if(messages_.begin(), messages_.end(), [&](const Message& one) { return one.id == id; });
+    if (id.is_null() || found == messages_.end()) return false;
+    return found->cancelled = true;
+  };
+  const LspJson::json_pointer cancelled("/params/id");
+  const bool cancels = json.is_object() && json.value("method", LspJson()) == "$/cancelRequest";
+  // A request that has been taken already may still be worked on: then its cancellation is taken like other messages.
+  if (!cancels || !json.contains(cancelled) || !is_cancelled(json[cancelled])) {
     const bool is_request = json.is_object() && json.contains("id") && json.contains("method");
     messages_.push_back({std::move(message), is_request ? json["id"] : LspJson()});
   }
@@ -48,15 +53,9 @@ std::optional<MessageInbox::Message> MessageInbox::next(bool waits, const StopTo
   constexpr std::chrono::milliseconds poll_period(100);  // within this time a stop is noticed
   while (waits && messages_.empty() && !closed_ && !stop.requested()) changed_.wait_for(hold, poll_period);
   interrupts_ = false;
-  if (messages_.empty()) {
-    cancelled_.clear();  // these requests were executed before
-    return std::nullopt;
-  }
+  if (messages_.empty()) return std::nullopt;
   Message message = std::move(messages_.front());
   messages_.pop_front();
-  const auto found = message.id.is_null() ? cancelled_.end() : std::find(cancelled_.begin(), cancelled_.end(), message.id);
-  message.cancelled = found != cancelled_.end();
-  if (message.cancelled) cancelled_.erase(found);
   return message;
 }
 

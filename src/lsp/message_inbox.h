@@ -8,7 +8,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "base/stop_token.h"
 #include "base/thread.h"
@@ -46,7 +45,6 @@ class MessageInbox {
   std::mutex lock_;
   std::condition_variable changed_;
   std::deque<Message> messages_;
-  std::vector<LspJson> cancelled_;
   std::atomic<bool> interrupts_ = false, ends_ = false;
   bool closed_ = false;
   Thread reading_;

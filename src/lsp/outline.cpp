@@ -86,10 +86,23 @@ LspJson symbol_json(const OpenDocument& document, const Part& part) {
 
 }  // namespace
 
-LspJson symbols_json(const OpenDocument& document) {
+LspJson symbols_json(const OpenDocument& document, bool nested) {
   LspJson all = LspJson::array();
   if (document.names() == nullptr) return all;
-  for (const Part& part : parts_of(document)) all.push_back(symbol_json(document, part));
+  const auto add_flat = [&](const LspJson& symbol, const std::string& container) {
+    LspJson flat = {{"name", symbol["name"]}, {"kind", symbol["kind"]}, {"location", {{"uri", document.uri}, {"range", symbol["range"]}}}};
+    if (!container.empty()) flat["containerName"] = container;
+    all.push_back(std::move(flat));
+  };
+  for (const Part& part : parts_of(document)) {
+    LspJson symbol = symbol_json(document, part);
+    if (nested) {
+      all.push_back(std::move(symbol));
+      continue;
+    }
+    add_flat(symbol, {});
+    for (const LspJson& inside : symbol["children"]) add_flat(inside, symbol["name"]);
+  }
   return all;
 }
 

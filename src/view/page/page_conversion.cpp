@@ -11,65 +11,20 @@
 #include "lang/text/text_spool.h"
 #include "texts/page.h"
 #include "view/page/page_inside.h"
+#include "view/proven_text.h"
 
 namespace kadr {
 
-/// One conversion. This object owns the data that the sessions of the conversion use, and outlives these sessions.
-class PageConversion {
- public:
-  PageConversion(OpenedProgram from, std::shared_ptr<const ControlDef> to, StopToken stop)
-      : from_(std::move(from)), to_(std::move(to)), stop_(std::move(stop)) {}
-
-  tl::expected<Converted, std::string> make(std::shared_ptr<ByteSource> text, bool flat) const {
-    ConversionSpec spec;
-    spec.to = to_.get();
-    spec.flat = flat;
-    spec.stop = stop_;
-    spec.source_text = std::move(text);
-    spec.source = [this](const Setup& setup) { return source(setup); };
-    spec.setup = from_.setup;
-    spec.target = [this](std::shared_ptr<ByteSource> made, const Setup& setup) { return target(std::move(made), setup); };
-    return converted(spec);
-  }
-  const ControlDef& from() const { return *from_.def; }
-  const ControlDef& to() const { return *to_; }
-  const AlarmTexts& texts() const { return *from_.texts; }
-
- private:
-  using Side = tl::expected<std::unique_ptr<Session>, std::string>;
-
-  Side source(const Setup& setup) const {
-    auto program = from_.program();
-    if (!program) return tl::unexpected(program.error());
-    SessionSpec spec = from_.spec(std::move(*program), stop_);
-    spec.setup = setup;
-    auto session = Session::open(std::move(spec));
-    if (!session) return tl::unexpected(in_thread_language(session.error().fault.en, session.error().fault.ru));
-    if ((*session)->channels().size() > 1) return tl::unexpected(no_conversion_of_channels());
-    return std::move(*session);
-  }
-
-  Side target(std::shared_ptr<ByteSource> text, const Setup& setup) const {
-    SessionSpec spec = from_.spec({from_.path, shared_source(std::move(text)), Encoding::utf8}, stop_);
-    spec.control = to_;
-    spec.setup = setup;
-    auto session = Session::open(std::move(spec));
-    if (!session)
-      return tl::unexpected(session.error().fault.key + ": " + in_thread_language(session.error().fault.en, session.error().fault.ru));
-    (*session)->control().set_waiting(Control::Waiting::pass);
-    return std::move(*session);
-  }
-
-  OpenedProgram from_;
-  std::shared_ptr<const ControlDef> to_;
-  StopToken stop_;
+/// The two controls of a conversion.
+struct PageConversion {
+  OpenedProgram from;
+  std::shared_ptr<const ControlDef> to;
 };
 
 namespace {
 
-constexpr std::size_t max_converted = std::size_t{8} << 20;  // greatest size in bytes of a program, before and after the conversion
-constexpr std::size_t max_written_out = 1000;                // greatest number of rewritten lines or groups of lines that the answer lists
-constexpr std::size_t most_line = 200;                       // greatest length in bytes of a program line that a message quotes
+constexpr std::size_t max_written_out = 1000;  // greatest number of rewritten lines or groups of lines that the answer lists
+constexpr std::size_t most_line = 200;         // greatest length in bytes of a program line that a message quotes
 
 tl::unexpected<Refusal> not_converted(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
@@ -165,9 +120,9 @@ PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& questio
   if (!opened) return not_converted(opened.error());
   const SourceText text(opened->text ? OpenedText{text_source(*opened->text), Encoding::utf8}
                                      : open_text(request->path, opened->encoding, &server.folder));
-  if (text.bytes() > max_converted) return not_converted(too_long_for_the_page());
-  const PageConversion conversion(*opened, std::make_shared<const ControlDef>(std::move(*to)), token());
-  const auto made = conversion.make(text_source(text.whole()), question.value("flat", false));
+  if (text.bytes() > max_proven_text) return not_converted(too_long_for_the_page());
+  const PageConversion conversion{*opened, std::make_shared<const ControlDef>(std::move(*to))};
+  const auto made = converted_program(conversion.from, conversion.to, text.whole(), question.value("flat", false), token());
   if (stops) return not_converted(translated(texts::page::interrupted));
   if (!made) return not_converted(made.error());
   return conversion_answer(conversion, *made, text, question);
@@ -175,9 +130,9 @@ PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& questio
 
 PageSession::Inside::Answer PageSession::Inside::conversion_answer(const PageConversion& conversion, const Converted& made,
                                                                    const SourceText& text, const PageJson& question) const {
-  const auto of_target = AlarmTexts::load(&conversion.to());
+  const auto of_target = AlarmTexts::load(conversion.to.get());
   if (!of_target) return not_converted(of_target.error());
-  const ConversionSides sides{conversion.from(), conversion.texts(), *of_target};
+  const ConversionSides sides{*conversion.from.def, *conversion.from.texts, *of_target};
   PageJson tries = PageJson::array();
   for (std::size_t i = 0; i < made.tries.size(); ++i)
     if (i != made.taken) tries.push_back(refusal_json(made.tries[i], refusal_of(made.tries[i], sides), text, server.folder));
@@ -185,8 +140,8 @@ PageSession::Inside::Answer PageSession::Inside::conversion_answer(const PageCon
   PageJson written;
   if (taken) {
     const ConversionTry& one = made.tries[*taken];
-    if (one.text->size() > max_converted) return not_converted(too_long_for_the_page());
-    const std::string name = name_for(value_in<std::string>(question, "file", ""), conversion.to());
+    if (one.text->size() > max_proven_text) return not_converted(too_long_for_the_page());
+    const std::string name = name_for(value_in<std::string>(question, "file", ""), *conversion.to);
     written = written_json(one, made.taken.has_value(), made.setup_of(one.as), free_name(name, ".nc"));
     written["note"] = made.taken ? fmt::format("{}", fmt::join(notes_on(made, one), "; ")) : std::string();
     written["written_out"] = written_out_json(one, sides);

@@ -1,21 +1,15 @@
 // Answers the request `edit_program`: edits a program in one respect, and proves that nothing else has changed. The new text is not saved
 // here; the page puts it into its editor if the user takes it over. Used by view/page/page_session; tested by tests/serve_edit.py.
 
-#include <algorithm>
-
 #include "compare/comparison_text.h"
-#include "edit/editing.h"
-#include "out/text/alarm_print.h"
 #include "texts/edit.h"
 #include "texts/edit_command.h"
 #include "texts/page.h"
 #include "view/page/page_inside.h"
+#include "view/proven_text.h"
 
 namespace kadr {
 namespace {
-
-constexpr std::size_t max_edited = std::size_t{8} << 20;  // greatest size of a program, bytes
-constexpr std::size_t max_reasons = 20;                   // greatest number of reasons that the answer lists
 
 /// Reads `edits`: {"feed": ["T3=80%"], "mirror": "X"}, by the names of the options of kadr edit.
 ///   returns  an error sentence if a name or a word is wrong
@@ -37,42 +31,11 @@ tl::expected<Edits, std::string> edits_in(const PageJson& question) {
 
 PageJson reason_json(std::string text, std::uint32_t line) { return {{"text", std::move(text)}, {"line", line}}; }
 
-/// Returns why the edit is refused: the alarm that stops the program, or the differences that nobody asked for.
 PageJson reasons_json(const Comparison& proof, const OpenedProgram& opened, Lang lang) {
   PageJson list = PageJson::array();
-  const auto add_alarm = [&](const AlarmReport& report) {
-    list.push_back(reason_json(finding_of(report, *opened.texts, lang).text, report.origin.file == 0 ? report.origin.line : 0));
-  };
-  if (proof.stopped_a) {
-    list.push_back(reason_json(translated(texts::edit_command::program_stops), 0));
-    add_alarm(*proof.stopped_a);
-    return list;
-  }
-  list.push_back(reason_json(translated(texts::edit_command::not_proven), 0));
-  for (std::size_t i = 0; i < std::min(max_reasons, proof.differences.size()); ++i) {
-    const CourseDifference& d = proof.differences[i];
-    list.push_back(reason_json(sentence_of(d, lang), d.a.file.empty() ? d.a.origin.line : 0));
-  }
-  if (proof.stopped_b) add_alarm(*proof.stopped_b);
+  for (EditReason& reason : edit_reasons(proof, opened, lang)) list.push_back(reason_json(std::move(reason.text), reason.line));
   return list;
 }
-
-/// Opens the sessions of a proof: of the program itself, and of another text under the same control.
-struct EditSides {
-  const OpenedProgram& opened;
-  StopToken stop;
-  using Side = tl::expected<std::unique_ptr<Session>, std::string>;
-
-  Side of(tl::expected<Program, std::string> program, const Setup& setup) const {
-    if (!program) return tl::unexpected(program.error());
-    SessionSpec spec = opened.spec(std::move(*program), stop);
-    spec.setup = setup;
-    auto session = Session::open(std::move(spec));
-    if (!session)
-      return tl::unexpected(session.error().fault.key + ": " + in_thread_language(session.error().fault.en, session.error().fault.ru));
-    return std::move(*session);
-  }
-};
 
 }  // namespace
 
@@ -87,19 +50,9 @@ PageSession::Inside::Answer PageSession::Inside::edit_program(const PageJson& qu
   if (!opened) return refused(opened.error());
   const SourceText old(opened->text ? OpenedText{text_source(*opened->text), Encoding::utf8}
                                     : open_text(request->path, opened->encoding, &server.folder));
-  if (old.bytes() > max_edited) return refused(translated(texts::page::too_long_to_convert));
+  if (old.bytes() > max_proven_text) return refused(translated(texts::page::too_long_to_convert));
   const std::string text = old.whole();
-  const EditSides sides{*opened, token()};
-  EditSpec spec;
-  spec.old_program = [&](const Setup& setup) { return sides.of(opened->program_of(text), setup); };
-  spec.new_program = [&](std::shared_ptr<ByteSource> made, const Setup& setup) {
-    return sides.of(opened->program_of({shared_source(std::move(made)), Encoding::utf8}), setup);
-  };
-  spec.source_text = text_source(text);
-  spec.setup = opened->setup;
-  spec.edits = std::move(*edits);
-  spec.stop = token();
-  const auto made = edited(spec, {text_source(text), Encoding::utf8, opened->def.get()});
+  const auto made = edited_program(*opened, text, std::move(*edits), token());
   if (stops) return refused(translated(texts::page::interrupted));
   PageJson json = {{"text", ""}, {"lines", 0}, {"told", ""}, {"note", ""}, {"refused", PageJson::array()}};
   if (!made) {

@@ -20,7 +20,7 @@
 
 namespace kadr {
 
-class PageConversion;
+struct PageConversion;
 struct Converted;
 
 /// The reason why a request is refused, as the page receives it.
