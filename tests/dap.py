@@ -222,7 +222,7 @@ def check_values(kadr):
     client.start()
     client.go()
     scopes = {s['name']: s['variablesReference'] for s in client.body('scopes', frameId=0)['scopes']}
-    expect(len(scopes) == 3, f'{scopes}')
+    expect(list(scopes) == ['Local variables', 'Positions, mm', 'In force', 'Variables'], f'{scopes}')
     values = {name: {v['name']: v['value'] for v in client.body('variables', variablesReference=reference)['variables']} for name, reference in scopes.items()}
     expect(values['Positions, mm']['X'] == '5', f'{values}')
     expect('G90' in values['In force'].values() and values['In force']['F'] == '100', f'{values}')
@@ -279,6 +279,101 @@ def check_pause(kadr):
     expect(reason == 'pause' and line in (2, 3, 4, 5), f'{reason} {line}')
     client.body('continue', threadId=1)
     expect(client.end() == 0, 'the end of a program that runs')
+
+
+def check_pause_without_motions(kadr):
+    """A loop that computes is held between two blocks; messages that are executed meanwhile do not end its step."""
+    text = 'G21 F100\no1 while [1]\n#1=[#1+1]\n#1=[#1-1]\no1 endwhile\nM2\n'
+    client = Client(kadr).begin(kadr, text, 'linuxcnc')
+    client.start()
+    for command in ('continue', 'next', 'stepOut'):
+        client.body(command, threadId=1)
+        if command == 'next':
+            expect(client.stop()[0] == 'step', 'a step')
+            continue
+        expect(client.body('evaluate', expression='1+1', context='watch')['result'] == '2', 'the adapter answers while the program runs')
+        client.body('pause', threadId=1)
+        expect(client.stop()[0] == 'pause', 'the pause')
+    client.end()
+
+
+def check_step_over_a_long_call(kadr):
+    """Requests during a step over a call do not end it elsewhere."""
+    text = 'o1 sub\no2 repeat [60000]\n#<_n>=[#<_n>+1]\no2 endrepeat\no1 endsub\nG21\no1 call\nG4 P0\nM2\n'
+    client = Client(kadr).begin(kadr, text, 'linuxcnc')
+    client.points(7)
+    client.start()
+    expect(client.go()[1] == 7, 'the call')
+    client.body('next', threadId=1)
+    for _ in range(20):
+        client.ask('threads')
+    expect(client.stop() == ('step', 8) and client.value('#<_n>') == '60000', 'after the whole call')
+    client.end()
+
+
+def check_reverse(kadr):
+    client = Client(kadr).begin(kadr)
+    client.points(5, {'line': 12, 'condition': '#102 EQ 4'}, {'line': 4, 'logMessage': 'no stop'})
+    client.start()
+    forward = []
+    while (stop := client.go())[0] != 'terminated':
+        forward.append((stop[0], stop[1], client.value('#101')))
+    backward = []
+    while (stop := client.go('reverseContinue'))[0] != 'entry':
+        backward.append((stop[0], stop[1], client.value('#101')))
+    expect(len(forward) == 6 and backward == forward[::-1], f'{forward} {backward}')
+    client.end()
+    client = Client(kadr).begin(kadr)
+    client.start()
+    client.points(8)
+    client.go()
+    client.points()
+    expect(client.body('setDataBreakpoints', breakpoints=[{'dataId': '#102'}])['breakpoints'][0]['verified'], 'verified')
+    expect([client.go('reverseContinue')[:2] + (client.value('#102'),) for _ in range(2)] == [('data breakpoint', 12, '8'), ('data breakpoint', 12, '6')], 'changes')
+    client.end()
+
+
+def check_reverse_in_a_long_run(kadr):
+    text = 'G21\no1 repeat [30000]\n#1=[#1+1]\no1 endrepeat\nG4 P0\nM2\n'
+    client = Client(kadr).begin(kadr, text, 'linuxcnc')
+    client.points(5, {'line': 3, 'condition': '#1 == 1234'}, {'line': 3, 'hitCondition': '22000'})
+    client.start()
+    expect([client.go()[1] for _ in range(3)] == [3, 3, 5], 'forward')
+    back = [client.go('reverseContinue') + (client.value('#1'),) for _ in range(3)]
+    expect(back == [('breakpoint', 3, '21999'), ('breakpoint', 3, '1234'), ('entry', 1, '0')], f'{back}')
+    client.end()
+
+
+LOCALS = {
+    'linuxcnc': ('o1 sub\n#<a>=[#1*2]\no2 call [#<a>]\no1 endsub\no2 sub\n#2=[#1+1]\nG4 P0\no2 endsub\n#<a>=7\n#1=3\no1 call [5]\nM2\n', 7,
+                 [{'#1': '10', '#2': '11'}, {'#1': '5', '#<a>': '10'}, {'#1': '3', '#<a>': '7'}], '#1+1', ['11', '6', '4']),
+    'fanuc': ('O1\nG21 G90\n#1=3\n#101=1\nG65 P2 A5.\nM30\nO2\n#2=#1*2\nG65 P3 B#2\nM99\nO3\nG4 P0\nM99\n', 12,
+              [{'#2': '10'}, {'#1': '5', '#2': '10'}, {'#1': '3'}], '#1+#101', ['1', '6', '4']),
+    'sinumerik': ('%_N_MAIN_MPF\nDEF REAL WIDTH=3\nG90 G71\nPART(5)\nM30\n%_N_PART_SPF\nPROC PART(REAL WIDTH)\nDEF INT COUNT=2\nG4 F0.1\nM17\n', 9,
+                  [{'WIDTH': '5', 'COUNT': '2'}, {'WIDTH': '3'}], None, None),
+}
+
+
+def check_local_variables_of_each_frame(kadr):
+    for control, (text, line, wanted, expression, values) in LOCALS.items():
+        client = Client(kadr).begin(kadr, text, control)
+        client.points(line)
+        client.start()
+        expect(client.go() == ('breakpoint', line), f'{control}: the innermost call')
+        frames = client.body('stackTrace', threadId=1)['stackFrames']
+        found = []
+        for frame in frames:
+            scopes = {s['name']: s['variablesReference'] for s in client.body('scopes', frameId=frame['id'])['scopes']}
+            found.append({v['name']: v['value'] for v in client.body('variables', variablesReference=scopes['Local variables'])['variables']})
+        expect(found == wanted, f'{control}: {found}')
+        if expression:
+            got = [client.body('evaluate', expression=expression, frameId=frame['id'], context='watch')['result'] for frame in frames]
+            expect(got == values, f'{control}: {got}')
+            expect(not client.ask('evaluate', expression='#[1]', frameId=1, context='watch')['success'], 'a computed number')
+        for frame in (99, -1, 'x'):
+            expect(not client.ask('scopes', frameId=frame)['success'], f'frame {frame}')
+        expect(not client.ask('variables', variablesReference=77)['success'], 'no such reference')
+        client.end()
 
 
 def check_without_stop_on_entry(kadr):

@@ -1,5 +1,5 @@
-// DebugAdapter: the table of the requests, the run, and the breakpoints. The values of a run are in lsp/debug_values. Used by
-// lsp/serve_editor; tested by tests/dap.py.
+// DebugAdapter: the table of the requests, and the run. Its breakpoints are in lsp/debug_points, the values of a run in lsp/debug_values.
+// Used by lsp/serve_editor; tested by tests/dap.py.
 
 #include "lsp/debug_adapter.h"
 
@@ -18,20 +18,11 @@ namespace kadr {
 namespace {
 
 constexpr int only_thread = 1;
-constexpr const char* of_calls = "call";  // the keys of points_ that are no files
-constexpr const char* of_watches = "watch";
-
-std::string text_or(const LspJson& object, const char* name, std::string otherwise) {
-  const auto found = object.is_object() ? object.find(name) : object.end();
-  return object.is_object() && found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
-}
 
 bool flag_or(const LspJson& object, const char* name, bool otherwise) {
   const auto found = object.is_object() ? object.find(name) : object.end();
   return object.is_object() && found != object.end() && found->is_boolean() ? found->get<bool>() : otherwise;
 }
-
-LspJson refused_point(const std::string& why) { return {{"verified", false}, {"message", why}}; }
 
 }  // namespace
 
@@ -154,13 +145,16 @@ void DebugAdapter::open(const LspJson& arguments) {
   if (!session) throw LspFault{LspFault::request_failed, in_thread_language(session.error().fault.en, session.error().fault.ru)};
   session_ = std::move(*session);
   session_->control().return_each_block();
-  const auto told = [this](const AlarmReport& report) { output(alarm_text(report, *opened_->texts, lang_)); };
+  const auto told = [this](const AlarmReport& report) {
+    if (!quiet_) output(alarm_text(report, *opened_->texts, lang_));
+  };
   session_->outlets().warning = told;
   session_->outlets().alarm = [told](const AlarmReport& report) {
     told(report);
     return false;
   };
   stepping_ = std::make_unique<Stepping>(*session_);
+  stepping_->on_block = [this](const Origin& block) { before_block(block); };
 }
 
 LspJson DebugAdapter::launch(const LspJson& arguments) {
@@ -186,111 +180,50 @@ LspJson DebugAdapter::configuration_done(const LspJson&) {
 
 LspJson DebugAdapter::nothing(const LspJson&) { return nullptr; }
 
-// ---- breakpoints
-
-/// Removes the breakpoints of a file, of the calls or of the watched values.
-void DebugAdapter::clear(const std::string& group) {
-  stepping();
-  for (const std::size_t number : std::exchange(points_[group], {})) {
-    stepping_->remove(number);
-    special_.erase(number);
-  }
-}
-
-LspJson DebugAdapter::set_breakpoints(const LspJson& arguments) {
-  const std::string path = text_in(member(arguments, "source"), "path");
-  const auto wanted = arguments.find("breakpoints");
-  clear(path);
-  LspJson answer = LspJson::array();
-  if (wanted == arguments.end() || !wanted->is_array()) return {{"breakpoints", std::move(answer)}};
-  std::error_code none;
-  const bool own = std::filesystem::equivalent(path, opened_->path, none) || path == opened_->path;
-  for (const LspJson& one : *wanted) {
-    StopPoint point;
-    point.line = line_in(one);
-    if (!own) point.file = path;
-    point.condition = text_or(one, "condition", "");
-    const std::string times = text_or(one, "hitCondition", "");
-    constexpr std::size_t most_digits = 9;
-    if (times.find_first_not_of("0123456789") != std::string::npos || times.size() > most_digits) {
-      answer.push_back(refused_point(translated(texts::lsp::no_number, times)));
-      continue;
-    }
-    if (!times.empty()) point.pass = static_cast<std::uint32_t>(std::stoul(times));
-    if (!point.condition.empty())
-      if (const auto holds = stepping().holds(point.condition); !holds) {
-        answer.push_back(refused_point(opened_->texts->sentence(holds.error(), lang_)));
-        continue;
-      }
-    const std::size_t number = stepping().add(point);
-    points_[path].push_back(number);
-    if (const std::string text = text_or(one, "logMessage", ""); !text.empty()) special_[number].message = text;
-    answer.push_back({{"id", number}, {"verified", true}, {"line", point.line - 1 + first_line_}});
-  }
-  return {{"breakpoints", std::move(answer)}};
-}
-
-LspJson DebugAdapter::set_call_breakpoints(const LspJson& arguments) {
-  clear(of_calls);
-  LspJson answer = LspJson::array();
-  for (const LspJson& one : member(arguments, "breakpoints")) {
-    StopPoint point;
-    point.call = text_in(one, "name");
-    points_[of_calls].push_back(stepping().add(point));
-    answer.push_back({{"id", points_[of_calls].back()}, {"verified", true}});
-  }
-  return {{"breakpoints", std::move(answer)}};
-}
-
-LspJson DebugAdapter::watch_info(const LspJson& arguments) {
-  const std::string name = text_in(arguments, "name");
-  const auto value = stepping().value(name);
-  if (!value) return {{"dataId", nullptr}, {"description", opened_->texts->sentence(value.error(), lang_)}};
-  return {{"dataId", name}, {"description", name}, {"accessTypes", {"write"}}, {"canPersist", true}};
-}
-
-LspJson DebugAdapter::set_watches(const LspJson& arguments) {
-  clear(of_watches);
-  LspJson answer = LspJson::array();
-  for (const LspJson& one : member(arguments, "breakpoints")) {
-    const std::string name = text_in(one, "dataId");
-    const auto value = stepping().value(name);
-    if (!value) {
-      answer.push_back(refused_point(opened_->texts->sentence(value.error(), lang_)));
-      continue;
-    }
-    StopPoint point;
-    point.condition = fmt::format("{} != {}", name, is_vacant(*value) ? "#0" : fmt::format("{:.12f}", *value));
-    points_[of_watches].push_back(stepping().add(point));
-    special_[points_[of_watches].back()].watched = name;
-    answer.push_back({{"id", points_[of_watches].back()}, {"verified", true}});
-  }
-  return {{"breakpoints", std::move(answer)}};
-}
-
-/// Returns true if a breakpoint that applies does not hold the program: it writes a message.
-bool DebugAdapter::passes_on(std::size_t point) {
-  const auto found = special_.find(point);
-  if (found == special_.end() || found->second.message.empty()) return false;
-  output(filled(found->second.message));
-  return true;
-}
-
 // ---- running
 
 void DebugAdapter::go(Stepping::How how, const char* reason) {
   reason_ = reason;
-  stepping_->begin(how);
+  how_ = how;
+  interrupted_ = false;
+  depth_ = stepping_->next() ? stepping_->next()->depth : 0;
+  stepping_->begin(Stepping::How::free);
   running_ = true;
+}
+
+/// Returns true if the present step ends before this block.
+bool DebugAdapter::asks_for(const Origin& block) const {
+  switch (how_) {
+    case Stepping::How::block: return true;
+    case Stepping::How::over: return block.depth <= depth_;
+    case Stepping::How::out: return block.depth < depth_;
+    default: return false;
+  }
+}
+
+/// Holds the program where the step ends, or where a message waits. A loop without motions can be held only here.
+void DebugAdapter::before_block(const Origin& block) {
+  if (!running_) return;
+  const bool ends = asks_for(block);
+  interrupted_ = !ends && stop_.requested();
+  if (ends || interrupted_) stepping_->hold_next();
 }
 
 void DebugAdapter::work(const StopToken& stop) {
   set_thread_language(lang_);
+  if (std::exchange(interrupted_, false)) stepping_->begin(Stepping::How::free);
+  stop_ = stop;
   while (running_ && !stop.requested()) {
     const Session::State state = session_->go_on();
-    if (state != Session::State::running) return stop_at(state);
+    if (state == Session::State::held && interrupted_ && stepping_->hit() == 0) break;
+    interrupted_ = false;
+    if (state != Session::State::running) {
+      stop_at(state);
+      break;
+    }
     history_->note();
   }
+  stop_ = {};
 }
 
 /// Reports where the program is held, or how it ended.
@@ -298,7 +231,7 @@ void DebugAdapter::stop_at(Session::State state) {
   running_ = false;
   if (state == Session::State::held) {
     const std::size_t hit = stepping_->hit();
-    if (hit != 0 && passes_on(hit)) {
+    if (hit != 0 && passes_on(hit) && !(stepping_->next() && asks_for(*stepping_->next()))) {
       running_ = true;
       return stepping_->begin(Stepping::How::free);
     }
@@ -316,22 +249,19 @@ void DebugAdapter::report_stop(const char* reason) {
   if (stepping_->hit() != 0) body["hitBreakpointIds"] = {stepping_->hit()};
   if (std::string_view(reason) == "exception" && session_->stopped().report)
     body["text"] = sentence_of(*session_->stopped().report, *opened_->texts, lang_);
-  // A watched value is compared with what it is now.
-  if (const auto special = special_.find(stepping_->hit()); special != special_.end() && !special->second.watched.empty()) {
-    LspJson watches = LspJson::array();
-    for (const std::size_t number : points_[of_watches]) watches.push_back({{"dataId", special_[number].watched}});
-    (void)set_watches({{"breakpoints", watches}});
-  }
+  if (const auto special = special_.find(stepping_->hit()); special != special_.end() && !special->second.watched.empty()) renew_watches();
   event("stopped", std::move(body));
 }
 
 void DebugAdapter::go_to_block(std::uint32_t number, const char* reason) {
   begun();
   afterwards_ = [this, number, reason] {
+    running_ = interrupted_ = false;
+    quiet_ = true;
     const auto state = history_->go_back(number);
+    quiet_ = false;
     if (!state) return output(opened_->texts->sentence(state.error(), lang_), "stderr");
     reason_ = reason;
-    running_ = false;
     if (*state == Session::State::held) report_stop(reason);
     else stop_at(*state);
   };
@@ -365,16 +295,38 @@ LspJson DebugAdapter::step_back(const LspJson&) {
   return nullptr;
 }
 
-/// Goes back to the beginning: the breakpoints before it are passed over.
+/// Goes back to the last block at which a breakpoint holds the program, or to the beginning.
 LspJson DebugAdapter::reverse(const LspJson&) {
+  begun();
+  afterwards_ = [this] { go_back_to_stop(); };
+  return nullptr;
+}
+
+void DebugAdapter::go_back_to_stop() {
+  running_ = interrupted_ = false;
+  quiet_ = true;
+  const auto holds = [this](std::size_t point) {
+    const auto special = special_.find(point);
+    return special == special_.end() || special->second.message.empty();
+  };
+  const auto state = history_->go_back_to_stop(holds);
+  quiet_ = false;
+  if (!state) return output(opened_->texts->sentence(state.error(), lang_), "stderr");
+  reason_ = "entry";
+  stop_at(*state);
+}
+
+LspJson DebugAdapter::restart(const LspJson&) {
   go_to_block(0, "entry");
   return nullptr;
 }
-LspJson DebugAdapter::restart(const LspJson& arguments) { return reverse(arguments); }
 
 LspJson DebugAdapter::pause(const LspJson&) {
-  begun().hold_next();
+  begun();
+  if (!running_) return nullptr;  // it is held already
   reason_ = "pause";
+  how_ = Stepping::How::block;
+  if (std::exchange(interrupted_, false)) afterwards_ = [this] { stop_at(Session::State::held); };
   return nullptr;
 }
 

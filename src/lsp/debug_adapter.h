@@ -8,8 +8,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/stop_token.h"
+#include "control/local_variables.h"
 #include "lsp/lsp_json.h"
 #include "lsp/run_history.h"
 #include "session/stepping.h"
@@ -29,7 +31,8 @@ class DebugAdapter {
 
   /// True while the program runs: work() continues it.
   bool is_running() const { return running_; }
-  /// Runs the program until it is held, until it ends, or until the stop token ends the work; the next call continues it.
+  /// Runs the program until it is held, until it ends, or until the stop token ends the work, at the next block; the next call continues
+  /// it.
   void work(const StopToken& stop);
 
   bool is_over() const { return over_; }
@@ -53,8 +56,16 @@ class DebugAdapter {
   void report_stop(const char* reason);
   bool passes_on(std::size_t point);
   void clear(const std::string& group);
+  void renew_watches();
   void go(Stepping::How how, const char* reason);
+  bool asks_for(const Origin& block) const;
+  void before_block(const Origin& block);
   void go_to_block(std::uint32_t number, const char* reason);
+  void go_back_to_stop();
+  std::size_t depth_of_frame(const LspJson& arguments) const;
+  std::vector<LocalVariables> locals() const;
+  LspJson variables_json(const std::vector<std::pair<std::string, double>>& values) const;
+  Result<double> value_in_frame(const std::string& expression, std::size_t depth) const;
   LspJson frame_json(int id, const std::string& name, const std::string& file, std::uint32_t line) const;
   std::string text_of(double value) const;
   std::string filled(const std::string& message) const;
@@ -98,7 +109,12 @@ class DebugAdapter {
   std::map<std::size_t, Special> special_;                  // by number of the stop point
   std::function<void()> afterwards_;                        // what follows the response to the present request
   bool stops_on_entry_ = true, running_ = false, over_ = false;
-  const char* reason_ = "step";  // why the program will be held, if no breakpoint holds it before
+  const char* reason_ = "step";              // why the program will be held, if no breakpoint holds it before
+  Stepping::How how_ = Stepping::How::free;  // the step that is executed, and the number of calls that were open at its beginning
+  std::size_t depth_ = 0;
+  StopToken stop_;            // while work() runs: ends it at the next block
+  bool interrupted_ = false;  // true: the program runs, and is held between two blocks only while a message is executed
+  bool quiet_ = false;        // true: blocks are executed again, so that their warnings have been shown already
 };
 
 /// Serves the debugger of an editor over two file descriptors until it disconnects or closes the input.

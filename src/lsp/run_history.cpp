@@ -18,7 +18,7 @@ RunHistory::RunHistory(Session& session, Stepping& stepping)
 void RunHistory::note() {
   const std::uint32_t number = session_.control().origin().number;
   if (number < (all_.empty() ? 0 : all_.back().number) + each_) return;
-  auto snapshot = session_.snapshot();
+  auto snapshot = stepping_.snapshot();
   if (!snapshot) return;
   all_.push_back({std::move(*snapshot), number});
   if (all_.size() < most_snapshots) return;
@@ -39,9 +39,36 @@ Result<Session::State> RunHistory::go_back(std::uint32_t number) {
     KADR_TRY(stepping_.restore(*first_));
     if (!first_->next || number <= first_->next->number) return Session::State::held;
   } else {
-    KADR_TRY(stepping_.restore(all_.back().snapshot, target, 0));
+    KADR_TRY(stepping_.restore(all_.back().memory));
   }
   return stepping_.go_to(target);
+}
+
+/// Runs up to the block with the number `until`. Returns the number of the last block before it at which a stop point holds the program.
+std::optional<std::uint32_t> RunHistory::last_stop(std::uint32_t until, const std::function<bool(std::size_t)>& holds) {
+  std::optional<std::uint32_t> last;
+  StopPoint end;
+  end.number = until;
+  const std::size_t added = stepping_.add(end);
+  while (stepping_.go(Stepping::How::free) == Session::State::held && stepping_.next()->number < until)
+    if (holds(stepping_.hit())) last = stepping_.next()->number;
+  stepping_.remove(added);
+  return last;
+}
+
+Result<Session::State> RunHistory::go_back_to_stop(const std::function<bool(std::size_t)>& holds) {
+  const bool any = std::any_of(stepping_.points().begin(), stepping_.points().end(), [&](const auto& point) { return holds(point.first); });
+  if (!first_ || !any) return go_back(0);
+  // From the last snapshot on, then from the one before it, and so on: each part of the run is executed once at most.
+  std::uint32_t until = stepping_.next() ? stepping_.next()->number : session_.control().origin().number + 1;
+  for (std::size_t i = all_.size() + 1; i-- > 0;) {
+    const std::uint32_t first = i == 0 ? 0 : all_[i - 1].number + 2;  // the block directly after a snapshot is not asked about again
+    if (first >= until) continue;
+    KADR_TRY(stepping_.restore(i == 0 ? *first_ : all_[i - 1].memory));
+    if (const auto found = last_stop(until, holds)) return go_back(*found);
+    until = first;
+  }
+  return go_back(0);
 }
 
 }  // namespace kadr

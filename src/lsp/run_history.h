@@ -5,6 +5,7 @@
 //            ↑ restored, and run again up to the wanted block
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,10 +25,16 @@ class RunHistory {
   ///   returns  the state of the session: held, or another one if there is no such block
   ///   alarms   as Session::restore()
   Result<Session::State> go_back(std::uint32_t number);
+  /// Goes back to the last block before the present one at which a stop point holds the program; to the beginning if there is none.
+  ///   holds  returns false for a stop point, by its number, that is passed over
+  ///   alarms  as Session::restore()
+  Result<Session::State> go_back_to_stop(const std::function<bool(std::size_t)>& holds);
 
  private:
+  std::optional<std::uint32_t> last_stop(std::uint32_t until, const std::function<bool(std::size_t)>& holds);
+
   struct Kept {
-    SessionSnapshot snapshot;
+    Stepping::Memory memory;
     std::uint32_t number = 0;  // number of the last block that was executed before the snapshot
   };
   Session& session_;

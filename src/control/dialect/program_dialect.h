@@ -14,6 +14,7 @@
 #include "config/state/state_file.h"
 #include "control/control.h"
 #include "control/dialect/machine_interface.h"
+#include "control/local_variables.h"
 
 namespace kadr {
 
@@ -21,10 +22,13 @@ class BlockContext;
 class Emitter;
 class Interpreter;
 class Dialect;
+struct CallFrame;
 
 /// The part of a snapshot that belongs to a dialect: the data that the dialect stores between two blocks.
 struct DialectState {
   virtual ~DialectState() = default;
+  /// Returns the variables of the main program and of each call, outermost first; empty if the control has no local variables.
+  virtual std::vector<LocalVariables> local_variables(const std::vector<CallFrame>& calls, const ControlDef& def) const;
 };
 
 class ProgramDialect {

@@ -37,6 +37,23 @@ bool is_plane_of_uvw(const BlockContext& m) {
 LinuxCnc& linuxcnc_of(const BlockContext& m) { return static_cast<LinuxCnc&>(*m.dialect); }
 
 struct LinuxCnc::Remembered : DialectState {
+  /// Calls by `O… call` have parameters of their own, and calls by M98 those of the caller (spec/linuxcnc 6.2, 6.5).
+  std::vector<LocalVariables> local_variables(const std::vector<CallFrame>& calls, const ControlDef& def) const override {
+    std::vector<std::size_t> depths = {0};
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < calls.size() && number < flow.by_m98.size(); ++i)
+      if (calls[i].kind == CallFrame::Kind::subprogram && !flow.by_m98[number++]) depths.push_back(i + 1);
+    std::vector<LocalVariables> all;
+    for (std::size_t level = 0; level < std::min(depths.size(), levels.size()); ++level) {
+      auto& values = all.emplace_back(LocalVariables{depths[level], {}}).values;
+      for (std::size_t n = 1; n <= max_arguments; ++n)
+        if (const double value = levels[level].arguments[n]; value != 0) values.emplace_back("#" + std::to_string(n), value);
+      for (const auto& [name, value] : levels[level].named)
+        values.emplace_back("#<" + def.grammar.named_variables->name_of(name) + ">", value);
+    }
+    return all;
+  }
+
   State state;
   std::map<int, Tool> tools;
   bool tools_changed = false;

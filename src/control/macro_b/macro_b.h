@@ -138,6 +138,7 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
 /// The part of a snapshot that belongs to custom macros.
 struct MacroState : DialectState {
   explicit MacroState(const MacroB& of);
+  std::vector<LocalVariables> local_variables(const std::vector<CallFrame>& calls, const ControlDef& def) const override;
 
   Memory memory;
   ParameterStore::Memory parameters;

@@ -18,6 +18,24 @@ namespace {
 /// What a snapshot keeps: also the words of the block, because it may be taken before the block's end.
 struct Kept : DialectState {
   Kept(Memory all, BlockWords of_block) : memory(std::move(all)), words(std::move(of_block)) {}
+  /// Each program has the variables of its own DEF and PROC (spec/sinumerik 6, 9.2). Texts, axes, frames and arrays have no value here.
+  std::vector<LocalVariables> local_variables(const std::vector<CallFrame>& calls, const ControlDef&) const override {
+    std::vector<std::size_t> depths = {0};
+    const auto repeats = [&](std::size_t depth) {
+      return std::any_of(memory.repeated.begin(), memory.repeated.end(), [&](const RepeatedPart& one) { return one.depth == depth; });
+    };
+    for (std::size_t i = 0; i < calls.size(); ++i)
+      if (calls[i].kind == CallFrame::Kind::subprogram && !repeats(i + 1)) depths.push_back(i + 1);
+    std::vector<LocalVariables> all;
+    for (std::size_t level = 0; level < std::min(depths.size(), memory.levels.size()); ++level) {
+      auto& values = all.emplace_back(LocalVariables{depths[level], {}}).values;
+      for (const auto& [name, variable] : memory.levels[level].variables)
+        if (variable->sizes.empty() && !variable->values.empty() && variable->values[0].is_number())
+          values.emplace_back(name, variable->values[0].number);
+    }
+    return all;
+  }
+
   Memory memory;
   BlockWords words;
   Axes previous{};

@@ -36,4 +36,19 @@ void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string
   }
 }
 
+/// Macro calls, and interrupts by the parameter, have local variables of their own (nct 23.1.3).
+std::vector<LocalVariables> MacroState::local_variables(const std::vector<CallFrame>& calls, const ControlDef&) const {
+  std::vector<std::size_t> depths = {0};
+  for (std::size_t i = 0; i < calls.size(); ++i)
+    if (calls[i].kind == CallFrame::Kind::macro || calls[i].opened_level) depths.push_back(i + 1);
+  std::vector<LocalVariables> all;
+  for (std::size_t level = 0; level < std::min(depths.size(), variables.levels.size()); ++level) {
+    all.push_back({depths[level], {}});
+    for (std::size_t n = 1; n <= max_locals; ++n)
+      if (const double value = variables.levels[level][n]; !is_vacant(value))
+        all.back().values.emplace_back("#" + std::to_string(n), value);
+  }
+  return all;
+}
+
 }  // namespace kadr::macro_b
