@@ -10,6 +10,7 @@ import "./style/cut.css";
 import "./style/timeline.css";
 import "./style/workshop.css";
 import "./style/code.css";
+import "./style/in_editor.css";
 import "./style/print.css";
 import { App } from "./model/app";
 import { is_of_cut } from "./model/listed";
@@ -17,6 +18,7 @@ import { keep_nothing_of_tab } from "./model/memory";
 import { with_inserts, type Shape } from "./model/tool_shape";
 import type { Problem } from "./protocol/types";
 import { unpack, type Report } from "./report/data";
+import { EditorLink } from "./report/editor";
 import { FindingsPanel } from "./report/findings";
 import { show_licences } from "./report/licences";
 import { ReportSocket } from "./report/socket";
@@ -39,6 +41,7 @@ import { Topbar } from "./ui/topbar";
 import { WorstPanel } from "./ui/worst_panel";
 
 keep_nothing_of_tab(); // the tab may show another report next
+const editor = EditorLink.of_window();
 set_language(language());
 const held = document.getElementById("kadr-data")?.textContent ?? "";
 unpack(held).then(show, (e: unknown) => {
@@ -48,23 +51,16 @@ unpack(held).then(show, (e: unknown) => {
 });
 
 function show(report: Report): void {
-  const { data } = report;
-  const app = new App(() => new ReportSocket(report));
+  let { data } = report;
+  if (editor) set_language(data.language);
+  let socket: ReportSocket | null = null;
+  const app = new App(() => (socket = new ReportSocket(report)));
   const player = new Player(app);
-  const shapes: Shape[] = data.en.sheet.tools.map((x) =>
-    with_inserts(
-      {
-        number: x.number,
-        cutting: x.outline ?? [],
-        shank: [],
-        holder: [],
-      },
-      data.en.cut?.inserts ?? [],
-    ),
-  );
+  let shapes = shapes_of(report);
   const scene_pane = new ScenePane(app, (v) => {
     app.seek(v.time);
     if (v.file === 0) source.show(v.line);
+    editor?.pick(v.line, v.file === 0 ? "" : (data.sources.find((s) => s.file === v.file)?.name ?? ""));
   });
   const { scene } = scene_pane;
   const source = new SourcePane(app, (line, file) => void go_to_line(line, file));
@@ -121,14 +117,21 @@ function show(report: Report): void {
 
   app.on_path.on((frame) => scene?.addPath(frame));
   app.on_part.on((frame) => scene?.setPart(frame));
+  let shown_whole = false;
+  let replaced = false; // by the next report of the same program: the old path stays until the new one is there
   app.on_opening.on(() => {
-    scene?.clearPath();
+    shown_whole = false;
+    editor?.opening();
+    if (replaced) scene?.replacePath();
+    else scene?.clearPath();
     scene?.setPart(null);
     scene?.setBoxes([]);
   });
   let fitted = false;
   app.on_done.on((done) => {
     scene?.setTools(shapes);
+    scene?.endPath();
+    shown_whole = true;
     if (done.extents.cutting) scene?.setBoxes([{ name: t("extents"), kind: "extents", box: done.extents.cutting }]);
     if (!fitted) scene?.view("fit");
     fitted = true;
@@ -136,6 +139,7 @@ function show(report: Report): void {
   app.on_instant.on((at) => scene?.setInstant(at));
   app.on_state.on((s) => {
     if (s) scene?.highlight(s.line, s.file ?? 0);
+    if (s && !s.file && shown_whole) editor?.show(s.line);
   });
   for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
   app.on_opened.on((o) => {
@@ -152,6 +156,21 @@ function show(report: Report): void {
     next_pane,
   });
   app.client.connect();
+  editor?.on_theme((dark) => top.set_dark(dark));
+  editor?.on_line.on((line) => void go_to_line(line, 0));
+  editor?.on_report.on((text) => {
+    unpack(text).then(
+      (next) => {
+        replaced = true;
+        ({ data } = next);
+        shapes = shapes_of(next);
+        socket?.replace(next);
+        set_language(data.language);
+        void app.open({ file: next.data.file }, app.instant, true);
+      },
+      (e: unknown) => toast(String(e), true),
+    );
+  });
 
   /// Goes to the pass of a line that is nearest to the slider.
   async function go_to_line(line: number, file: number): Promise<void> {
@@ -163,4 +182,11 @@ function show(report: Report): void {
     if (is_of_cut(p)) void app.seek_line(p.line, p.file); // the block that hits is the one that starts there, not the one that ends
     if (of_program(p, app.opened?.file ?? "")) source.show(p.line);
   }
+}
+
+function shapes_of(report: Report): Shape[] {
+  const { sheet, cut } = report.data.en;
+  return sheet.tools.map((x) =>
+    with_inserts({ number: x.number, cutting: x.outline ?? [], shank: [], holder: [] }, cut?.inserts ?? []),
+  );
 }

@@ -20,9 +20,9 @@ export class ReportSocket implements Socket {
   onclose: Socket["onclose"] = null;
   onmessage: Socket["onmessage"] = null;
   private language: Language;
-  private path: ReportPath;
+  private path!: ReportPath;
   private lines = new Map<number, string[]>();
-  private part_frame: PartFrame | null;
+  private part_frame: PartFrame | null = null;
   private part_is_shown = false;
   private answers: Answers = {
     hello: (q) =>
@@ -55,13 +55,20 @@ export class ReportSocket implements Socket {
 
   constructor(private report: Report) {
     this.language = report.data.language;
-    this.path = new ReportPath(report.path);
-    const part = report.part && read_frame(report.part);
-    this.part_frame = part?.kind === "part" ? part : null;
+    this.replace(report);
     queueMicrotask(() => {
       this.readyState = 1;
       this.onopen?.({});
     });
+  }
+
+  /// The next `open` opens this report.
+  replace(report: Report): void {
+    this.report = report;
+    this.path = new ReportPath(report.path);
+    this.lines.clear();
+    const part = report.part && read_frame(report.part);
+    this.part_frame = part?.kind === "part" ? part : null;
   }
 
   send(text: string): void {

@@ -176,6 +176,12 @@ export class Topbar {
         : "";
   }
 
+  set_dark(dark: boolean): void {
+    if (dark === this.dark) return;
+    this.dark = dark;
+    this.apply();
+  }
+
   private apply(): void {
     document.documentElement.dataset.theme = this.dark ? "dark" : "light";
     document.documentElement.dataset.shop = String(this.shop);
