@@ -38,6 +38,9 @@ dist:
 	@dev/setup dist
 	@dev/dist --chroot
 
+vsix:
+	@dev/vsix
+
 site:
 	@dev/setup site
 	@dev/site
@@ -45,4 +48,4 @@ site:
 clean:
 	rm -rf build
 
-.PHONY: all run test check install deb dist site clean
+.PHONY: all run test check install deb dist vsix site clean
