@@ -3,6 +3,7 @@
 output.
 
     dap.py --kadr build/release/kadr
+    KADR_DAP_MESSAGES=1000000 dap.py --kadr build/release/kadr --only 'random-requests'
 
 Checked are breakpoints of every kind, steps into, over and out of calls, steps back, values, lines of the operator, pause, alarms, and that
 each request gets one response, also a wrong one.
@@ -14,10 +15,12 @@ import select
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import harness
 from harness import expect
 
+MESSAGES = int(os.environ.get('KADR_DAP_MESSAGES', 600))
 PROGRAM = '''O0001
 G21 G90 G54
 #101=0
@@ -399,27 +402,53 @@ def check_wrong_requests(kadr):
     expect(client.process.wait(harness.TIME_LIMIT_S) == 1, 'the end of the input')
 
 
-def check_random_requests(kadr):
-    draw = random.Random(3)
-    client = Client(kadr).begin(kadr)
+def check_line_that_never_ends(kadr):
+    """An entered line that calls an endless program is given up; the program goes on."""
+    client = Client(kadr).begin(kadr, 'G21 F100\nM2\no1 sub\no2 while [1]\nG1 X[#1]\n#1=[#1+1]\no2 endwhile\no1 endsub\n', 'linuxcnc')
     client.start()
-    commands = ['stackTrace', 'scopes', 'variables', 'evaluate', 'setVariable', 'continue', 'next', 'stepIn', 'stepOut', 'stepBack', 'pause', 'restart',
-                'setBreakpoints', 'setFunctionBreakpoints', 'setDataBreakpoints', 'dataBreakpointInfo', 'threads', 'launch', 'nothing', 'configurationDone']
-    waiting = {}
-    for _ in range(400):
-        arguments = {'threadId': 1, 'expression': draw.choice(['#101', 'G0 X1', '[', 5]), 'context': draw.choice(['repl', 'watch']), 'name': draw.choice(['#101', 'F', 7]),
-                     'value': draw.choice(['1', '[']), 'variablesReference': draw.choice([1, 2, 3, 'x']), 'source': {'path': draw.choice([client.path, '/x', 4])},
-                     'breakpoints': draw.choice([[], [{'line': 5}], [{'line': 'x'}], [{'name': 'O200', 'dataId': '#101'}], 5])}
-        command = draw.choice(commands)
-        waiting[client.request(command, draw.choice([arguments, arguments, {}, 5]))] = command
-    last = client.request('threads')
-    while (message := client.get()).get('request_seq') != last:
-        if message['type'] == 'response':
-            expect(waiting.pop(message['request_seq'], None) == message['command'], f'a second response: {message}')
-    expect(not waiting, f'without a response: {waiting}')
-    client.events.clear()
-    client.request('disconnect')
-    expect(client.process.wait(harness.TIME_LIMIT_S) == 0, 'the end')
+    answer = client.ask('evaluate', expression='o1 call', context='repl')
+    expect(not answer['success'] and answer['message'], f'{answer}')
+    expect(client.go('stepIn') == ('step', 2), 'the next block')
+    client.end()
+
+
+def random_arguments(draw, path):
+    return {'threadId': 1, 'expression': draw.choice(['#101', 'G0 X1', '[', 5, 'M98 P200']), 'context': draw.choice(['repl', 'watch']),
+            'name': draw.choice(['#101', 'F', 7]), 'value': draw.choice(['1', '[']), 'frameId': draw.choice([0, 0, 1, 9, 'x']),
+            'variablesReference': draw.choice([1, 2, 3, 100, 101, -1, 'x']), 'source': {'path': draw.choice([path, '/x', 4])},
+            'program': draw.choice([path, 5]), 'breakpoints': draw.choice([[], [{'line': 5}], [{'line': 'x'}], [{'name': 'O200', 'dataId': '#101'}], 5])}
+
+
+def check_random_requests(kadr):
+    """Each request gets one response, in any order, from programs that end and from those that do not."""
+    draw = random.Random(3)
+    commands = ['stackTrace', 'scopes', 'variables', 'evaluate', 'setVariable', 'continue', 'next', 'stepIn', 'stepOut', 'stepBack', 'reverseContinue', 'pause',
+                'restart', 'setBreakpoints', 'setFunctionBreakpoints', 'setDataBreakpoints', 'dataBreakpointInfo', 'threads', 'launch', 'nothing', 'initialize',
+                'setExceptionBreakpoints', 'configurationDone']
+    endless = 'O1\nG21 G90\nN10 #101=#101+1\nG1 X[#101-FIX[#101/50]*50] F9000\nM98 P200\nGOTO 10\nO200\nM99\n'
+    for text in (PROGRAM, endless):
+        client = Client(kadr)
+        path = str(kadr.file('part.nc', text))
+        waiting = {}
+
+        def take(client=client, waiting=waiting):
+            message = client.get()
+            if message['type'] == 'response':
+                expect(waiting.pop(message['request_seq'], None) == message['command'], f'a second response: {message}')
+                expect(message['success'] or message['message'], f'a refusal says why: {message}')
+        most_waiting = 50
+        for n in range(MESSAGES // 2):
+            command = draw.choice(commands) if n > 40 else draw.choice(['initialize', 'launch', 'configurationDone', 'threads'])
+            waiting[client.request(command, draw.choice([random_arguments(draw, path)] * 3 + [{}, 5]))] = command
+            while len(waiting) > most_waiting or select.select([client.process.stdout], [], [], 0)[0]:
+                take()
+        while waiting:
+            take()
+        rows = (Path('/proc') / str(client.process.pid) / 'status').read_text(encoding='utf-8').splitlines()
+        reserved, used = (next(int(row.split()[1]) / 1024 for row in rows if row.startswith(name)) for name in ('VmPeak', 'VmHWM'))
+        expect(used < 300 or reserved > 2 ** 20, f'memory of the adapter: {used:.0f} MB')
+        client.request('disconnect')
+        expect(client.process.wait(harness.TIME_LIMIT_S) == 0, 'the end')
 
 
 if __name__ == '__main__':

@@ -2,10 +2,11 @@
 """Tests `kadr lsp` (docs/lsp.md) as an editor uses it: over standard input and output, with the messages of the Language Server Protocol 3.17.
 
     lsp.py --kadr build/release/kadr
-    KADR_LSP_MESSAGES=1000000 lsp.py --kadr build/release/kadr --only '*random_messages'
+    KADR_LSP_MESSAGES=1000000 lsp.py --kadr build/release/kadr --only 'random-messages'
 
 Checked are the life cycle with its errors, each feature on small programs of several controls, the same findings as `kadr check`, the same
-document after random changes as after opening its text, and random messages: each request gets exactly one answer.
+document after random changes as after opening its text, and random messages: each request gets exactly one answer. Each message of the
+server is compared with the shapes of the specification (lsp_shapes.py).
 """
 import json
 import os
@@ -15,8 +16,10 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import harness
+import lsp_shapes
 from harness import expect
 
 MESSAGES = int(os.environ.get('KADR_LSP_MESSAGES', 400))
@@ -36,7 +39,7 @@ class Editor:
 
     def __init__(self, kadr, options=None, encodings=('utf-16',), locale='en', begins=True, able=None):
         self.process = subprocess.Popen(kadr.command(['lsp', '--stdio']), cwd=kadr.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        self.read, self.last, self.notes = b'', 0, []
+        self.read, self.last, self.notes, self.methods = b'', 0, [], {}
         if begins:
             self.capabilities = self.ask('initialize', {'processId': None, 'rootUri': None, 'locale': locale, 'initializationOptions': options or {},
                                                         'capabilities': {'general': {'positionEncodings': list(encodings)}, **(ABLE if able is None else able)}})
@@ -45,6 +48,8 @@ class Editor:
 
     def put(self, content):
         data = content if isinstance(content, bytes) else json.dumps(content).encode()
+        if isinstance(content, dict) and 'method' in content and 'id' in content:
+            self.methods[content['id']] = content['method']
         self.process.stdin.write(b'Content-Length: %d\r\n\r\n%s' % (len(data), data))
         self.process.stdin.flush()
 
@@ -60,7 +65,11 @@ class Editor:
             self.read += more
         content = self.read[self.read.index(b'\r\n\r\n') + 4:self.end()]
         self.read = self.read[self.end():]
-        return json.loads(content)
+        message = json.loads(content)
+        if message.get('id') is not None:   # an answer to what is no message has the id null
+            fault = lsp_shapes.fault_of_message(message, self.methods)
+            expect(not fault, f'the shape of a message: {fault}')
+        return message
 
     def end(self):
         head = self.read[:self.read.index(b'\r\n\r\n')]
@@ -314,6 +323,59 @@ def check_navigation(kadr):
     expect([one['kind'] for one in editor.at('documentHighlight', 7, 2)] == [3, 2, 2], 'written once, read twice')
     expect(editor.at('definition', 0, 0) == [], 'nothing to define')
     editor.close()
+
+
+FOLDERS = {
+    # control: (files of the folder, place of the call, the definition, the places of all references without definition)
+    'fanuc': ({'main.nc': 'O1\nG21\nM98 P200\nM98 P300\nM30\n', 'O0200.nc': 'O200\nG0 X1.\nM99\n', 'other.tap': 'O300\nG0 X2.\nM98 P200\nM99\n',
+               'second.nc': 'O7\nM98 P200\nM30\nO200\nM99\n'},
+              ('main.nc', 2, 6), ('O0200.nc', 0, 1), [('main.nc', 2), ('other.tap', 2)]),
+    'linuxcnc': ({'main.ngc': 'G21\no<pocket> call [1]\no1 while [0]\no1 endwhile\nM2\n', 'pocket.ngc': 'o<pocket> sub\nG0 X1\no<pocket> endsub\nM2\n',
+                  'more.ngc': 'o<Pocket> call [2]\nM2\n', 'loop.ngc': 'o1 sub\no1 endsub\nM2\n'},
+                 ('main.ngc', 1, 4), ('pocket.ngc', 0, 1), [('main.ngc', 1), ('more.ngc', 0), ('pocket.ngc', 2)]),
+    'sinumerik': ({'MAIN.MPF': 'G90 G71\nPART(5)\nSTOPRE\nM30\n', 'PART.SPF': 'PROC PART(REAL WIDTH)\nG0 X=WIDTH\nM17\n', 'TWO.MPF': 'N10 MCALL PART\nCALL "PART"\nM30\n'},
+                  ('MAIN.MPF', 1, 2), ('PART.SPF', 0, 5), [('MAIN.MPF', 1), ('TWO.MPF', 0), ('TWO.MPF', 1)]),
+}
+
+
+def check_programs_of_the_folder(kadr):
+    for control, (files, (name, line, column), (where, first, start), uses) in FOLDERS.items():
+        folder = kadr.file(f'{control}/{name}', '').parent
+        for other, text in files.items():
+            (folder / other).write_text(text)
+
+        def uri(of, folder=folder):
+            return f'file://{folder / of}'
+        editor = Editor(kadr, {'control': control})
+        editor.open(files[name], uri(name))
+
+        def ask(method, of, line, column, **more):
+            return editor.ask(f'textDocument/{method}', {'textDocument': {'uri': uri(of)}, 'position': position(line, column), **more})['result']
+        found = ask('definition', name, line, column)
+        expect([(one['uri'], one['range']['start']) for one in found] == [(uri(where), position(first, start))], f'{control}: {found}')
+        uses_found = ask('references', name, line, column, context={'includeDeclaration': False})
+        expect(sorted((one['uri'], one['range']['start']['line']) for one in uses_found) == sorted((uri(of), n) for of, n in uses), f'{control}: {uses_found}')
+        whole = ask('references', name, line, column, context={'includeDeclaration': True})
+        expect(len(whole) == len(uses) + 1, f'{control}: {whole}')
+        # An open document stands in the place of its file.
+        moved = '\n' + files[where]
+        editor.open(moved, uri(where))
+        found = ask('definition', name, line, column)
+        expect([(one['uri'], one['range']['start']['line']) for one in found] == [(uri(where), first + 1)], f'{control}: {found}')
+        back = ask('references', where, first + 1, start + 1, context={'includeDeclaration': False})
+        moved_uses = [(uri(of), n + (of == where)) for of, n in uses]
+        expect(sorted((one['uri'], one['range']['start']['line']) for one in back) == sorted(moved_uses), f'{control}: {back}')
+        editor.tell('textDocument/didClose', {'textDocument': {'uri': uri(where)}})
+        (folder / where).write_text('\n\n' + files[where])   # and a file that has changed is read again
+        found = ask('definition', name, line, column)
+        expect([one['range']['start']['line'] for one in found] == [first + 2], f'{control}: {found}')
+        symbols = editor.ask('workspace/symbol', {'query': {'fanuc': '300', 'linuxcnc': 'POCKET', 'sinumerik': 'part'}[control]})['result']
+        expect([one['location']['uri'] for one in symbols] == [uri({'fanuc': 'other.tap', 'linuxcnc': 'pocket.ngc', 'sinumerik': 'PART.SPF'}[control])], f'{symbols}')
+        if control == 'linuxcnc':
+            expect(ask('definition', name, 2, 1) == [], 'a loop is no subprogram of another file')
+        if control == 'sinumerik':
+            expect(ask('definition', name, 2, 2) == [] and ask('prepareRename', name, 1, 2) is None, 'a name of the control; a program is renamed with its file')
+        editor.close()
 
 
 def check_rename(kadr):
@@ -595,41 +657,79 @@ def offset(text, at):
     return here
 
 
+def random_message(draw, number):
+    """Returns a message of an editor, right or wrong: a request, a notification, or an answer to nobody."""
+    uri = draw.choice(['file:///work/a.nc', 'file:///work/b.nc', 'untitled:c'])
+    place = {'line': draw.choice([0, 1, 5, 10 ** 9, -1, 'x']), 'character': draw.choice([0, 3, 10 ** 9, None])}
+    params = {'textDocument': {'uri': uri}, 'position': place, 'range': {'start': place, 'end': draw.choice([place, 5])},
+              'newName': draw.choice(['5', '', 7]), 'query': draw.choice(['', 'O', 5]), 'context': draw.choice([{}, {'only': ['refactor']}, 7]),
+              'command': draw.choice(['kadr.renumber', 'kadr.convert', 'x', 5]), 'arguments': draw.choice([[uri], [uri, 'mach3'], [5], {}])}
+    kind = draw.randrange(10)
+    if kind == 0:
+        text = draw.choice([FANUC, '', 'G0 X1\n' * 50, 'o1 while [1]\n' * 40])
+        method, params = 'textDocument/didOpen', {'textDocument': {'uri': uri, 'languageId': 'nc', 'version': number, 'text': text}}
+    elif kind == 1:
+        change = {'text': draw.choice(['G1', '\n', 7]), 'range': area(draw.randrange(9), 0, 3)}
+        method, params = 'textDocument/didChange', {'textDocument': {'uri': uri, 'version': number}, 'contentChanges': [change]}
+    elif kind == 2:
+        method = draw.choice(['textDocument/didSave', 'textDocument/didClose', 'workspace/didChangeConfiguration', 'workspace/didChangeWatchedFiles', 'nothing'])
+        params['settings'] = {'kadr': {'control': draw.choice(['fanuc', '', 'nonsense'])}}
+    elif kind == 3:
+        if draw.randrange(2):
+            return {'jsonrpc': '2.0', 'id': draw.choice([f'kadr-{draw.randrange(40)}', 5, 'x']), 'result': draw.choice([{'applied': False}, None])}
+        method, params = '$/cancelRequest', {'id': draw.choice([number - 1, number - draw.randrange(20), 'x'])}
+    else:
+        method = draw.choice([*(name for name in lsp_shapes.RESULTS if name != 'shutdown'), 'textDocument/unknown'])
+        return {'jsonrpc': '2.0', 'id': number, 'method': method, 'params': draw.choice([params, params, params, None, [], 5])}
+    return {'jsonrpc': '2.0', 'method': method, 'params': params}
+
+
+def expect_little_memory(process):
+    """A program with a sanitizer, which reserves terabytes, is not judged."""
+    rows = (Path('/proc') / str(process) / 'status').read_text(encoding='utf-8').splitlines()
+    reserved, used = (next(int(row.split()[1]) / 1024 for row in rows if row.startswith(name)) for name in ('VmPeak', 'VmHWM'))
+    expect(used < 300 or reserved > 2 ** 20, f'memory of the server: {used:.0f} MB')
+
+
 def check_random_messages(kadr):
     draw = random.Random(7)
     editor = Editor(kadr)
-    methods = ['hover', 'completion', 'signatureHelp', 'definition', 'references', 'documentHighlight', 'prepareRename', 'rename', 'documentSymbol',
-               'foldingRange', 'semanticTokens/full', 'inlayHint', 'codeAction', 'codeLens', 'formatting', 'unknown']
     waiting = {}
-    for number in range(FIRST, FIRST + MESSAGES):
-        uri = f'file:///work/{draw.choice("ab")}.nc'
-        kind = draw.randrange(8)
-        place = {'line': draw.choice([0, 1, 5, 10 ** 9, -1, 'x']), 'character': draw.choice([0, 3, 10 ** 9, None])}
-        params = {'textDocument': {'uri': uri}, 'position': place, 'range': {'start': place, 'end': draw.choice([place, 5])}, 'newName': draw.choice(['5', '', 7])}
-        if kind == 0:
-            editor.open(draw.choice([FANUC, '', 'G0 X1\n' * 50, 'o1 while [1]\n' * 40]), uri, number)
-        elif kind == 1:
-            editor.tell('textDocument/didChange', {'textDocument': {'uri': uri, 'version': number},
-                                                   'contentChanges': [{'text': draw.choice(['G1', '\n', 7]), 'range': area(draw.randrange(9), 0, 3)}]})
-        elif kind == 2:
-            editor.tell(draw.choice(['textDocument/didSave', 'textDocument/didClose', 'workspace/didChangeConfiguration', 'nothing']),
-                        {'textDocument': {'uri': uri}, 'settings': {'kadr': {'control': draw.choice(['fanuc', '', 'nonsense'])}}})
-        else:
-            waiting[number] = 'textDocument/' + draw.choice(methods)
-            editor.put({'jsonrpc': '2.0', 'id': number, 'method': waiting[number], 'params': draw.choice([params, params, params, None, [], 5])})
-    last = editor.last = FIRST + MESSAGES
-    editor.put({'jsonrpc': '2.0', 'id': last, 'method': 'workspace/symbol', 'params': {'query': ''}})
-    while True:
-        message = editor.get()
+
+    def take(message):
         expect(message is not None, 'the server has ended')
-        if 'method' in message:
-            continue
-        if message['id'] == last:
-            break
-        expect(waiting.pop(message['id'], None), f'a second answer, or one to nobody: {message}')
-        expect(('result' in message) != ('error' in message), f'{message}')
-    expect(not waiting, f'without an answer: {waiting}')
+        if 'method' not in message:
+            expect(waiting.pop(message['id'], None), f'a second answer, or one to nobody: {message}')
+            editor.methods.pop(message['id'])
+    most_waiting = 300
+    for number in range(FIRST, FIRST + MESSAGES):
+        message = random_message(draw, number)
+        if 'id' in message and 'method' in message:
+            waiting[number] = message['method']
+        editor.put(message)
+        while len(waiting) > most_waiting or select.select([editor.process.stdout], [], [], 0)[0]:
+            take(editor.get())
+    while waiting:
+        take(editor.get())
+    expect(editor.ask('workspace/symbol', {'query': ''})['result'] is not None, 'the server lives')
+    expect_little_memory(editor.process.pid)
     expect(editor.close() == 0, 'the end')
+
+
+def check_the_table_of_shapes(kadr):
+    """The check of the shapes finds faults; and each method that the server answers has a shape."""
+    for message, wrong in (({'id': 1, 'result': {'contents': {'kind': 'markdown', 'value': ''}}}, False), ({'id': 1, 'result': None}, False),
+                           ({'id': 1, 'result': {'contents': {'kind': 'html', 'value': ''}}}, True), ({'id': 1, 'result': {'contents': 5}}, True),
+                           ({'id': 1, 'result': {'contents': {'kind': 'markdown', 'value': '', 'more': 1}}}, True), ({'id': 1}, True),
+                           ({'method': 'window/showMessage', 'params': {'type': 3, 'message': 'x'}}, False),
+                           ({'method': 'window/showMessage', 'params': {'type': 9, 'message': 'x'}}, True), ({'method': 'unknown', 'params': {}}, True)):
+        fault = lsp_shapes.fault_of_message({'jsonrpc': '2.0', **message}, {1: 'textDocument/hover'})
+        expect(bool(fault) == wrong, f'{message}: {fault}')
+    editor = Editor(kadr)
+    for method in lsp_shapes.RESULTS:
+        if method not in ('initialize', 'shutdown'):
+            expect(editor.ask(method, 5)['error']['code'] == WRONG_PARAMS, f'{method} with wrong parameters')
+    editor.close()
 
 
 if __name__ == '__main__':

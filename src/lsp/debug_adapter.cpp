@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 
 #include "config/texts.h"
@@ -139,7 +140,7 @@ void DebugAdapter::open(const LspJson& arguments) {
   opened_ = std::move(*opened);
   auto program = opened_->program();
   if (!program) throw LspFault{LspFault::request_failed, program.error()};
-  SessionSpec spec = opened_->spec(std::move(*program), {});
+  SessionSpec spec = opened_->spec(std::move(*program), StopToken(gives_up_));
   spec.setup.channels.clear();
   auto session = Session::open(std::move(spec));
   if (!session) throw LspFault{LspFault::request_failed, in_thread_language(session.error().fault.en, session.error().fault.ru)};
@@ -189,6 +190,21 @@ void DebugAdapter::go(Stepping::How how, const char* reason) {
   depth_ = stepping_->next() ? stepping_->next()->depth : 0;
   stepping_->begin(Stepping::How::free);
   running_ = true;
+}
+
+/// Executes a line of the operator, which may call programs.
+///   throws  LspFault if the control refuses the line, or if it takes too long
+void DebugAdapter::enter(const std::string& line) {
+  if (running_) throw LspFault{LspFault::request_failed, translated(texts::dap::runs)};
+  constexpr std::chrono::seconds most(5);
+  const auto until = std::chrono::steady_clock::now() + most;
+  stepping_->begin_entering(line);
+  Session::State state = Session::State::running;
+  while ((state = session_->go_on()) == Session::State::running) gives_up_ = std::chrono::steady_clock::now() > until;
+  const bool gave_up = gives_up_.exchange(false);
+  stepping_->end_entering(state);
+  if (gave_up) throw LspFault{LspFault::request_failed, translated(texts::dap::line_takes_long)};
+  if (state == Session::State::stopped) throw LspFault{LspFault::request_failed, translated(texts::dap::line_refused)};
 }
 
 /// Returns true if the present step ends before this block.

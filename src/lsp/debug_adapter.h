@@ -2,6 +2,7 @@
 // DebugAdapter: runs a program for the debugger of an editor (Debug Adapter Protocol 1.51): breakpoints, steps forward and back, calls,
 // values in force, lines of the operator. It receives and emits messages as JSON texts; serve_debugger() connects it with an editor.
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -58,6 +59,7 @@ class DebugAdapter {
   void clear(const std::string& group);
   void renew_watches();
   void go(Stepping::How how, const char* reason);
+  void enter(const std::string& line);
   bool asks_for(const Origin& block) const;
   void before_block(const Origin& block);
   void go_to_block(std::uint32_t number, const char* reason);
@@ -112,9 +114,10 @@ class DebugAdapter {
   const char* reason_ = "step";              // why the program will be held, if no breakpoint holds it before
   Stepping::How how_ = Stepping::How::free;  // the step that is executed, and the number of calls that were open at its beginning
   std::size_t depth_ = 0;
-  StopToken stop_;            // while work() runs: ends it at the next block
-  bool interrupted_ = false;  // true: the program runs, and is held between two blocks only while a message is executed
-  bool quiet_ = false;        // true: blocks are executed again, so that their warnings have been shown already
+  std::atomic<bool> gives_up_ = false;  // ends an entered line that takes too long
+  StopToken stop_;                      // while work() runs: ends it at the next block
+  bool interrupted_ = false;            // true: the program runs, and is held between two blocks only while a message is executed
+  bool quiet_ = false;                  // true: blocks are executed again, so that their warnings have been shown already
 };
 
 /// Serves the debugger of an editor over two file descriptors until it disconnects or closes the input.

@@ -220,11 +220,10 @@ LspJson DebugAdapter::set_variable(const LspJson& arguments) {
   const LspJson& reference = member(arguments, "variablesReference");
   if (reference != int(variables_of_program) && reference != int(locals_of_frame))
     throw LspFault{LspFault::request_failed, translated(texts::dap::only_variables)};
-  if (running_) throw LspFault{LspFault::request_failed, translated(texts::dap::runs)};
+  begun();
   if (const auto number = stepping().value(value); !number)
     throw LspFault{LspFault::request_failed, opened_->texts->sentence(number.error(), lang_)};
-  if (begun().enter(name + "=" + value) == Session::State::stopped)
-    throw LspFault{LspFault::request_failed, translated(texts::dap::line_refused)};
+  enter(name + "=" + value);
   const auto now = stepping().value(name);
   return {{"value", now ? text_of(*now) : value}};
 }
@@ -238,8 +237,8 @@ LspJson DebugAdapter::evaluate(const LspJson& arguments) {
   if (value) return {{"result", text_of(*value)}, {"variablesReference", 0}};
   if (context == arguments.end() || *context != "repl")
     throw LspFault{LspFault::request_failed, opened_->texts->sentence(value.error(), lang_)};
-  if (running_) throw LspFault{LspFault::request_failed, translated(texts::dap::runs)};
-  if (begun().enter(text) == Session::State::stopped) throw LspFault{LspFault::request_failed, translated(texts::dap::line_refused)};
+  begun();
+  enter(text);
   return {{"result", translated(texts::dap::line_executed)}, {"variablesReference", 0}};
 }
 

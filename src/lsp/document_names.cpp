@@ -8,6 +8,8 @@
 
 #include "base/ascii.h"
 #include "lang/block/lexer.h"
+#include "lang/named/named_parser.h"
+#include "out/text/explain/name_text.h"
 
 namespace kadr {
 namespace {
@@ -82,6 +84,7 @@ class BlockNames {
   void take_statement() {
     const Statement& statement = block_.statement;
     switch (statement.kind) {
+      case StatementKind::named: take_named(); break;
       case StatementKind::go_to:
         if (statement.value.end - statement.value.begin == 1 && block_.code[statement.value.begin].op == Op::number)
           add_number(NameKind::block, false, block_.code[statement.value.begin].where);
@@ -91,6 +94,50 @@ class BlockNames {
       case StatementKind::o_word: take_label(); break;
       default: break;
     }
+  }
+
+  /// Finds the programs in a block with names (spec/sinumerik 1, 9): %_N_PART_SPF and PROC PART define one; PART, PART(5), L10,
+  /// MCALL PART, CALL "PART" and EXTCALL "PART" call one.
+  void take_named() {
+    const Span span = block_.statement.text;
+    const std::string_view text = block_.text_of(span);
+    std::size_t at = text.find_first_not_of(" \t");
+    const auto word = [&]() -> Span {
+      while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '"')) ++at;
+      const std::size_t begin = at;
+      while (at < text.size() && continues_name(text[at])) ++at;
+      return {std::uint32_t(begin), std::uint32_t(at)};
+    };
+    if (at >= text.size()) return;
+    const bool heads = text[at] == '%';
+    if (heads) ++at;
+    const Span first = word();
+    const std::string name = in_small_letters(text.substr(first.begin, first.end - first.begin));
+    if (heads || name == "proc") return add_program(true, heads ? first : word());
+    if (name == "mcall" || name == "call" || name == "extcall" || name == "pcall") return add_program(false, word());
+    const bool by_number = name.size() > 1 && name[0] == 'l' && name.find_first_not_of("0123456789", 1) == std::string::npos;
+    const bool by_name = name.size() > 1 && begins_name(name[0]) && begins_name(name[1]) && name[0] != '_';
+    while (at < text.size() && (text[at] == ' ' || text[at] == '\t')) ++at;
+    const bool is_call = at == text.size() || text[at] == '(' || text[at] == 'P' || text[at] == 'p';
+    if (!is_call || (!by_number && !by_name)) return;
+    bool known = false;  // a name of the control itself: STOPRE, CYCLE81
+    each_part(def_, block_.text, span, [&](const StatementPart& part) { known = known || part.name != nullptr; });
+    if (!known) add_program(false, first);
+  }
+
+  /// Adds a program by its name, without the parts by which the control stores it: _N_PART_SPF is PART. `where` counts from the statement.
+  void add_program(bool defines, Span where) {
+    std::string_view text = block_.text_of(block_.statement.text).substr(where.begin, where.end - where.begin);
+    std::string name = in_small_letters(text);
+    if (name.starts_with("_n_")) name.erase(0, 3), where.begin += 3;
+    for (const std::string_view ending : {"_mpf", "_spf"})
+      if (name.size() > ending.size() && name.ends_with(ending)) {
+        name.erase(name.size() - ending.size());
+        where.end -= std::uint32_t(ending.size());
+        break;
+      }
+    const std::uint32_t begin = block_.statement.text.begin;
+    add(NameKind::program, defines, {begin + where.begin, begin + where.end}, std::move(name));
   }
 
   std::string loop_name() const { return "do" + std::to_string(block_.statement.loop); }

@@ -19,7 +19,7 @@ namespace kadr {
 
 enum class NameKind : std::uint8_t {
   block,     // a block number: N10, GOTO 10, G71 P10 Q20
-  program,   // a program or subprogram: O200, M98 P200
+  program,   // a program or subprogram: O200, M98 P200; PROC PART, PART(5)
   label,     // a label of LinuxCNC: O<name>, O100
   variable,  // #100, #<name>
   tool,      // T3

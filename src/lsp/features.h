@@ -1,8 +1,11 @@
 #pragma once
 // The features of the language server: each function answers one kind of request about a document, as JSON (LSP 3.17, "Language Features").
 
+#include <functional>
+
 #include "lsp/lsp_json.h"
 #include "lsp/open_document.h"
+#include "lsp/program_folder.h"
 
 namespace kadr {
 
@@ -26,8 +29,19 @@ LspJson signature_json(const OpenDocument& document, const TextPosition& positio
 LspJson completion_json(const OpenDocument& document, const TextPosition& position);
 
 // ---- navigation.cpp
-LspJson definition_json(const OpenDocument& document, const TextPosition& position);
-LspJson references_json(const OpenDocument& document, const TextPosition& position);
+/// The programs of the folder of a document, and which of them the document is.
+struct FolderView {
+  std::vector<ProgramFileNames> open;             // the open documents
+  std::vector<const ProgramFileNames*> programs;  // the open documents, and the files that are not open
+  std::size_t own = 0;
+};
+/// A function of the caller that reads the folder of the document; called only if the answer depends on it.
+using FolderOf = std::function<FolderView()>;
+/// Returns where the name at the position is defined, in this document or in another program of the folder.
+LspJson definition_json(const OpenDocument& document, const TextPosition& position, const FolderOf& folder);
+/// Returns all places of the name. Places in other programs of the folder belong to it if their calls run the same program.
+///   with_definition  returns the places of definition_json() too
+LspJson references_json(const OpenDocument& document, const TextPosition& position, bool with_definition, const FolderOf& folder);
 LspJson highlights_json(const OpenDocument& document, const TextPosition& position);
 LspJson renamed_place_json(const OpenDocument& document, const TextPosition& position);
 /// Renames a variable, label, block or subprogram at all its places in this document.
@@ -39,6 +53,8 @@ LspJson rename_json(const OpenDocument& document, const TextPosition& position, 
 /// SymbolInformation.
 LspJson symbols_json(const OpenDocument& document, bool nested);
 void add_workspace_symbols(const OpenDocument& document, const std::string& query, LspJson& to);
+/// Adds the programs that a file of a folder defines.
+void add_file_symbols(const ProgramFileNames& file, const std::string& query, LspJson& to);
 LspJson folding_json(const OpenDocument& document);
 /// Returns the end points of the motions of the lines in the range, as hints behind the lines.
 LspJson hints_json(const OpenDocument& document, const TextRange& range);

@@ -3,12 +3,19 @@
 #include "lsp/language_server.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <set>
 
 #include "config/texts.h"
 #include "lsp/features.h"
 #include "texts/lsp.h"
 
 namespace kadr {
+namespace {
+
+constexpr std::size_t max_folders = 16;  // folders whose programs are remembered
+
+}  // namespace
 
 LanguageServer::LanguageServer(Send send, Lang lang, std::string version) : send_(std::move(send)), version_(std::move(version)) {
   choice_.lang = lang;
@@ -236,6 +243,29 @@ void LanguageServer::work(const StopToken& stop) {
     if (!document->is_done()) return document->find_results(stop);
 }
 
+/// Returns the programs of the folder of a document that has a control. Open documents stand in the place of their files.
+FolderView LanguageServer::folder_of(const OpenDocument& document) {
+  FolderView view;
+  const auto& def = document.opened()->def;
+  const std::filesystem::path folder = std::filesystem::path(document.path).parent_path();
+  std::vector<std::string> paths;
+  for (const auto& [uri, other] : documents_) {
+    const bool is_own = other.get() == &document;
+    if (other->names() == nullptr || other->opened()->def->id != def->id) continue;
+    if (!is_own && std::filesystem::path(other->path).parent_path() != folder) continue;
+    if (is_own) view.own = view.open.size();
+    view.open.push_back({uri, other->path, program_places(other->text(), *other->names())});
+    paths.push_back(other->path);
+  }
+  for (const ProgramFileNames& one : view.open) view.programs.push_back(&one);
+  if (!path_of_uri(document.uri)) return view;
+  if (folders_.size() > max_folders) folders_.clear();
+  ProgramFolder& files = folders_.try_emplace({folder.string(), def->id}, def, unit_).first->second;
+  files.read(folder, paths);
+  for (const ProgramFileNames& file : files.files()) view.programs.push_back(&file);
+  return view;
+}
+
 void LanguageServer::publish(const OpenDocument& document) {
   notify("textDocument/publishDiagnostics",
          {{"uri", document.uri}, {"version", document.version}, {"diagnostics", diagnostics_json(document)}});
@@ -253,10 +283,14 @@ LspJson LanguageServer::signature_help(const LspJson& params) {
   return signature_json(document_of(params), position_in(member(params, "position")));
 }
 LspJson LanguageServer::definition(const LspJson& params) {
-  return definition_json(document_of(params), position_in(member(params, "position")));
+  const OpenDocument& document = document_of(params);
+  return definition_json(document, position_in(member(params, "position")), [&] { return folder_of(document); });
 }
 LspJson LanguageServer::references(const LspJson& params) {
-  return references_json(document_of(params), position_in(member(params, "position")));
+  const OpenDocument& document = document_of(params);
+  const LspJson::json_pointer declaration("/context/includeDeclaration");
+  const bool with_definition = !params.contains(declaration) || params[declaration] != false;
+  return references_json(document, position_in(member(params, "position")), with_definition, [&] { return folder_of(document); });
 }
 LspJson LanguageServer::highlights(const LspJson& params) {
   return highlights_json(document_of(params), position_in(member(params, "position")));
@@ -272,6 +306,12 @@ LspJson LanguageServer::workspace_symbols(const LspJson& params) {
   LspJson all = LspJson::array();
   const std::string query = text_in(params, "query");
   for (const auto& [uri, document] : documents_) add_workspace_symbols(*document, query, all);
+  std::set<std::string> done;
+  for (const auto& [uri, document] : documents_) {
+    if (document->opened() == nullptr || !done.insert(std::filesystem::path(document->path).parent_path().string()).second) continue;
+    const FolderView folder = folder_of(*document);
+    for (std::size_t i = folder.open.size(); i < folder.programs.size(); ++i) add_file_symbols(*folder.programs[i], query, all);
+  }
   return all;
 }
 LspJson LanguageServer::folding(const LspJson& params) { return folding_json(document_of(params)); }

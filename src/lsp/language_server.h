@@ -13,10 +13,12 @@
 #include "lsp/editor_abilities.h"
 #include "lsp/lsp_json.h"
 #include "lsp/open_document.h"
+#include "lsp/program_folder.h"
 
 namespace kadr {
 
 struct CommandOutcome;
+struct FolderView;
 
 class LanguageServer {
  public:
@@ -57,6 +59,7 @@ class LanguageServer {
   void show(int type, const std::string& text);
   OpenDocument& document_of(const LspJson& params);
   void publish(const OpenDocument& document);
+  FolderView folder_of(const OpenDocument& document);
   void choose(const LspJson& settings);
 
   LspJson initialize(const LspJson& params);
@@ -104,7 +107,8 @@ class LanguageServer {
   std::uint64_t last_asked_ = 0;
   DocumentChoice choice_;
   ColumnUnit unit_ = ColumnUnit::utf16;
-  std::map<std::string, std::unique_ptr<OpenDocument>> documents_;  // by URI
+  std::map<std::string, std::unique_ptr<OpenDocument>> documents_;        // by URI
+  std::map<std::pair<std::string, std::string>, ProgramFolder> folders_;  // by path, and id of the control
   bool initialized_ = false, shut_down_ = false, over_ = false;
 };
 

@@ -43,6 +43,9 @@ std::string name_to_write(const NamedPlace& place, std::string name) {
   return name;
 }
 
+/// True for a program such as PART, whose name is that of a file.
+bool is_by_name(const NamedPlace& place) { return place.kind == NameKind::program && !is_number(place.name); }
+
 bool is_name(const std::string& name) {
   if (name.size() < 3 || name.front() != '<' || name.back() != '>') return false;
   return std::all_of(name.begin() + 1, name.end() - 1, [](char c) { return is_digit(c) || is_capital(to_upper(c)) || c == '_'; });
@@ -50,9 +53,47 @@ bool is_name(const std::string& name) {
 
 }  // namespace
 
-LspJson definition_json(const OpenDocument& document, const TextPosition& position) {
+namespace {
+
+LspJson location_in(const ProgramFileNames& file, const TextRange& range) { return {{"uri", file.uri}, {"range", range_json(range)}}; }
+
+bool is_of_folder(const NamedPlace* place) {
+  return place != nullptr && (place->kind == NameKind::program || place->kind == NameKind::label);
+}
+
+/// Adds the definitions of the name in other programs of the folder. A file that is found by its name alone is its own definition.
+void add_definitions(const FolderView& folder, const NamedPlace& place, LspJson& to) {
+  for (const std::size_t i : files_called(folder.programs, folder.own, place)) {
+    if (i == folder.own) continue;
+    const ProgramFileNames& file = *folder.programs[i];
+    const auto found = std::find_if(file.places.begin(), file.places.end(), [&](const ProgramPlace& one) {
+      return one.place.defines && one.place.kind == place.kind && one.place.name == place.name;
+    });
+    to.push_back(location_in(file, found == file.places.end() ? TextRange() : found->range));
+  }
+}
+
+/// Adds the calls of the same program in other programs of the folder.
+void add_calls(const FolderView& folder, const NamedPlace& place, LspJson& to) {
+  const std::vector<std::size_t> targets = files_called(folder.programs, folder.own, place);
+  for (std::size_t i = 0; i < folder.programs.size(); ++i) {
+    if (i == folder.own) continue;
+    const ProgramFileNames& file = *folder.programs[i];
+    std::optional<bool> same;  // known at the first place
+    for (const ProgramPlace& one : file.places) {
+      if (one.place.defines || one.place.kind != place.kind || one.place.name != place.name) continue;
+      if (!same) {
+        const std::vector<std::size_t> called = files_called(folder.programs, i, place);
+        same = std::any_of(called.begin(), called.end(),
+                           [&](std::size_t at) { return std::find(targets.begin(), targets.end(), at) != targets.end(); });
+      }
+      if (*same) to.push_back(location_in(file, one.range));
+    }
+  }
+}
+
+LspJson own_definitions(const OpenDocument& document, const std::vector<Found>& found) {
   LspJson all = LspJson::array();
-  const std::vector<Found> found = all_at(document, position);
   const bool of_variable = !found.empty() && found.front().place->kind == NameKind::variable;
   for (const Found& one : found) {
     if (!one.place->defines) continue;
@@ -62,9 +103,29 @@ LspJson definition_json(const OpenDocument& document, const TextPosition& positi
   return all;
 }
 
-LspJson references_json(const OpenDocument& document, const TextPosition& position) {
+}  // namespace
+
+LspJson definition_json(const OpenDocument& document, const TextPosition& position, const FolderOf& folder) {
+  LspJson all = own_definitions(document, all_at(document, position));
+  const NamedPlace* const place = place_at(document, position);
+  if (all.empty() && is_of_folder(place)) add_definitions(folder(), *place, all);
+  return all;
+}
+
+LspJson references_json(const OpenDocument& document, const TextPosition& position, bool with_definition, const FolderOf& folder) {
+  const std::vector<Found> found = all_at(document, position);
+  const LspJson definitions = own_definitions(document, found);
   LspJson all = LspJson::array();
-  for (const Found& one : all_at(document, position)) all.push_back(location_json(document, one));
+  for (const Found& one : found) {
+    LspJson location = location_json(document, one);
+    if (with_definition || std::find(definitions.begin(), definitions.end(), location) == definitions.end())
+      all.push_back(std::move(location));
+  }
+  const NamedPlace* const place = place_at(document, position);
+  if (!is_of_folder(place)) return all;
+  const FolderView view = folder();
+  if (with_definition && definitions.empty()) add_definitions(view, *place, all);
+  add_calls(view, *place, all);
   return all;
 }
 
@@ -79,7 +140,7 @@ LspJson highlights_json(const OpenDocument& document, const TextPosition& positi
 
 LspJson renamed_place_json(const OpenDocument& document, const TextPosition& position) {
   const NamedPlace* const place = place_at(document, position);
-  if (place == nullptr) return nullptr;
+  if (place == nullptr || is_by_name(*place)) return nullptr;
   const TextRange range = document.text().range_of(position.line, place->where);
   return {
       {"range", range_json(range)},
@@ -88,7 +149,7 @@ LspJson renamed_place_json(const OpenDocument& document, const TextPosition& pos
 
 LspJson rename_json(const OpenDocument& document, const TextPosition& position, const std::string& name) {
   const NamedPlace* const place = place_at(document, position);
-  if (place == nullptr) throw LspFault{LspFault::request_failed, translated(texts::lsp::nothing_to_rename)};
+  if (place == nullptr || is_by_name(*place)) throw LspFault{LspFault::request_failed, translated(texts::lsp::nothing_to_rename)};
   const std::string written = name_to_write(*place, name);
   const bool by_name = place->name.starts_with('<');
   if (by_name ? !is_name(written) : !is_number(written))

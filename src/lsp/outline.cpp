@@ -29,6 +29,14 @@ bool is_readable(const std::string& heading) {
   return std::any_of(heading.begin(), heading.end(), [](char c) { return is_capital(to_upper(c)) || static_cast<unsigned char>(c) > 127; });
 }
 
+/// Returns the name of a program as people write it: O200, O<pocket>, PART.
+std::string shown_name(const NamedPlace& place) {
+  if (place.name.empty() || is_digit(place.name.front()) || place.kind == NameKind::label) return "O" + place.name;
+  std::string name = place.name;
+  for (char& c : name) c = to_upper(c);
+  return name;
+}
+
 /// Divides the program into its programs, and each of them into its tools. A heading directly before a tool gives it its name.
 std::vector<Part> parts_of(const OpenDocument& document) {
   const DocumentNames& names = *document.names();
@@ -48,7 +56,7 @@ std::vector<Part> parts_of(const OpenDocument& document) {
       if (begins) {
         end_before(programs, n);
         if (!programs.empty()) end_before(programs.back().inside, n);
-        programs.push_back({"O" + place.name, place.kind == NameKind::label ? kind_function : kind_module, n, n, place.where, {}});
+        programs.push_back({shown_name(place), place.kind == NameKind::label ? kind_function : kind_module, n, n, place.where, {}});
         ++count;
       } else if (place.kind == NameKind::heading && is_readable(place.name)) {
         heading = place.name, heading_line = n;
@@ -108,15 +116,20 @@ LspJson symbols_json(const OpenDocument& document, bool nested) {
 
 void add_workspace_symbols(const OpenDocument& document, const std::string& query, LspJson& to) {
   if (document.names() == nullptr) return;
-  const auto small = [](std::string text) {
-    for (char& c : text) c = to_lower(c);
-    return text;
-  };
   for (const Part& part : parts_of(document)) {
     if (to.size() >= max_symbols) return;
-    if (part.where.end == 0 || small(part.name).find(small(query)) == std::string::npos) continue;
+    if (part.where.end == 0 || in_lower_case(part.name).find(in_lower_case(query)) == std::string::npos) continue;
     const LspJson range = range_json(document.text().range_of(part.first, part.where));
     to.push_back({{"name", part.name}, {"kind", part.kind}, {"location", {{"uri", document.uri}, {"range", range}}}});
+  }
+}
+
+void add_file_symbols(const ProgramFileNames& file, const std::string& query, LspJson& to) {
+  for (const ProgramPlace& one : file.places) {
+    const std::string name = shown_name(one.place);
+    if (!one.place.defines || to.size() >= max_symbols || in_lower_case(name).find(in_lower_case(query)) == std::string::npos) continue;
+    const int kind = one.place.kind == NameKind::label ? kind_function : kind_module;
+    to.push_back({{"name", name}, {"kind", kind}, {"location", {{"uri", file.uri}, {"range", range_json(one.range)}}}});
   }
 }
 

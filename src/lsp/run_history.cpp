@@ -7,8 +7,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t first_distance = 4096;  // blocks between two snapshots at first
-constexpr std::size_t most_snapshots = 128;     // then every second one is dropped
+constexpr std::uint32_t first_distance = 1024;  // blocks between two snapshots at first
+constexpr std::size_t most_snapshots = 512;     // then every second one is dropped
 
 }  // namespace
 

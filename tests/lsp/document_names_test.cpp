@@ -36,6 +36,11 @@ TEST(DocumentNames, FindsLabelsAndNamedVariablesOfLinuxCnc) {
             "0 opens <pocket>\n0 label <pocket>*\n1 # <_deep>*\n1 # <_deep>\n2 closes <pocket>\n2 label <pocket>\n3 label <pocket>\n");
 }
 
+TEST(DocumentNames, FindsProgramsOfSinumerik) {
+  EXPECT_EQ(names_of("sinumerik", "%_N_MAIN_MPF\nPART(5)\nSTOPRE\nN10 MCALL Part\nL10 P2\nEXTCALL \"part\"\nX1=5\nPROC PART(REAL A)\nG1 X1\n"),
+            "0 O main*\n1 O part\n3 N 10*\n3 O part\n4 O l10\n5 O part\n7 O part*\n");
+}
+
 TEST(DocumentNames, KeepsBlockNumbersOfProgramsApart) {
   const TextDocument document("O1\nN10 G0\nGOTO10\nO2\nN10 G0\n", ColumnUnit::utf8);
   DocumentNames names(control("fanuc"));
