@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/ascii.h"
 #include "control/sinumerik/block_run.h"
 
 namespace kadr::sinumerik {
@@ -16,22 +17,23 @@ constexpr std::string_view accepted[] = {
     "FLIN",      "FCUB",        "CPRECOF",   "CPRECON",  "CUTCONOF", "LFOF",    "TCOABS",    "SPATH",    "UPATH",      "LFTXT",
     "CP",        "PAROTOF",     "TOROTOF",   "RTLION",   "FENDNORM", "DYNNORM", "DYNPOS",    "DYNROUGH", "DYNSEMIFIN", "DYNFINISH",
     "DYNPREC",   "TRAFOOF",     "SBLOF",     "SBLON",    "DISPLOF",  "DISPLON", "ACTBLOCNO", "NEWCONF",  "WAITP",      "WAITS",
-    "WORKPIECE", "GROUP_BEGIN", "GROUP_END", "MMC",      "CANCEL",   "CLRINT",  "ENABLE",    "DISABLE",  "SETPIECE"};
+    "ORIC",      "ORID",        "RMI",       "RMB",      "RME",      "RMN",     "ORISOF",    "WALCS0",   "CUTCONOF",   "SETPIECE",
+    "WORKPIECE", "GROUP_BEGIN", "GROUP_END", "MMC",      "CANCEL",   "CLRINT",  "ENABLE",    "DISABLE"};
 
 /// Names of the control that Kadr does not execute.
 constexpr std::string_view refused[] = {
-    "ASPLINE",  "BSPLINE", "CSPLINE",  "POLY",     "INVCW",  "INVCCW",  "REPOSL",   "REPOSQ",  "REPOSH",  "REPOSA",   "REPOSLA",
-    "REPOSQA",  "REPOSHA", "ROTS",     "AROTS",    "CROTS",  "CFTCP",   "CFIN",     "KONT",    "KONTT",   "KONTC",    "BTAN",
-    "BAUTO",    "ETAN",    "EAUTO",    "CUT2DF",   "CUT3DC", "CUT3DF",  "CUT3DFS",  "CUT3DFF", "ORIMKS",  "FTOCON",   "OSC",
-    "OSS",      "OSSE",    "OSD",      "OST",      "SON",    "PON",     "LFON",     "PTP",     "PTPG0",   "ORIEULER", "ORIRPY",
-    "ORIRPY2",  "ORIVECT", "ORIAXES",  "ORIVIRT1", "PAROT",  "TOWSTD",  "TOFRAME",  "TOROT",   "ORIROTA", "RTLIOF",   "WHEN",
-    "WHENEVER", "FROM",    "EVERY",    "DO",       "ID",     "IDS",     "INIT",     "START",   "WAITM",   "WAITE",    "SETM",
-    "ISOCALL",  "TRAORI",  "TRANSMIT", "TRACYL",   "TRAANG", "TRAILON", "TRAILOF",  "LEADON",  "LEADOF",  "EGON",     "EGDEF",
-    "COUPON",   "COUPDEF", "PRESETON", "ADDFRAME", "MEAS",   "MEAW",    "WRITE",    "READ",    "DELETE",  "ISFILE",   "EXECSTRING",
-    "RETB",     "GETT",    "POSA",     "POSP",     "FZ",     "FB",      "FD",       "FDA",     "LIMS",    "OFFN",     "DISC",
-    "LEAD",     "TILT",    "MEAFRAME", "ANG1",     "ANG2",   "DISR",    "DISCL",    "DISRP",   "FAD",     "DITS",     "DITE",
-    "SF",       "SUPD",    "CALCDAT",  "REP",      "SET",    "TLIFT",   "PUNCHACC", "CPON",    "CPDEF",   "AXTOCHAN", "GET",
-    "GETD",     "RELEASE", "AX",       "FGROUP",   "OVR",    "OVRRAP",  "OVRA",     "FL",      "FGREF",   "FRC",      "FRCM"};
+    "ASPLINE",  "BSPLINE",  "CSPLINE",  "POLY",     "INVCW",    "INVCCW",  "REPOSL",  "REPOSQ",  "REPOSH",  "REPOSA",   "REPOSLA",
+    "REPOSQA",  "REPOSHA",  "ROTS",     "AROTS",    "CROTS",    "CFTCP",   "CFIN",    "KONT",    "KONTT",   "KONTC",    "BTAN",
+    "BAUTO",    "ETAN",     "EAUTO",    "CUT2DF",   "CUT3DC",   "CUT3DF",  "CUT3DFS", "CUT3DFF", "ORIMKS",  "FTOCON",   "OSC",
+    "OSS",      "OSSE",     "OSD",      "OST",      "SON",      "PON",     "LFON",    "PTP",     "PTPG0",   "ORIEULER", "ORIRPY",
+    "ORIRPY2",  "ORIVECT",  "ORIAXES",  "ORIVIRT1", "PAROT",    "TOWSTD",  "TOFRAME", "TOROT",   "ORIROTA", "RTLIOF",   "WHEN",
+    "WHENEVER", "FROM",     "EVERY",    "DO",       "ID",       "IDS",     "INIT",    "START",   "WAITM",   "WAITE",    "SETM",
+    "ISOCALL",  "TRAORI",   "TRANSMIT", "TRACYL",   "TRAANG",   "TRAILON", "TRAILOF", "LEADON",  "LEADOF",  "EGON",     "EGDEF",
+    "COUPON",   "COUPDEF",  "PRESETON", "ADDFRAME", "MEAS",     "MEAW",    "WRITE",   "READ",    "DELETE",  "ISFILE",   "RETB",
+    "GETT",     "POSP",     "FZ",       "FD",       "FDA",      "OFFN",    "DISC",    "LEAD",    "TILT",    "MEAFRAME", "ANG1",
+    "ANG2",     "DISR",     "DISCL",    "DISRP",    "FAD",      "DITS",    "DITE",    "SUPD",    "CALCDAT", "REP",      "SET",
+    "TLIFT",    "PUNCHACC", "CPON",     "CPDEF",    "AXTOCHAN", "GET",     "GETD",    "RELEASE", "OVRRAP",  "OVRA",     "FL",
+    "FGREF",    "FRC",      "FRCM"};
 
 }  // namespace
 
@@ -49,6 +51,8 @@ Status BlockRun::code_word(const NamedItem& item, char letter, double code) {
     case 112: pole_ = static_cast<int>(code); return {};
     case 331:
     case 332: tapping_ = true; return {};
+    case 33: own_.memory.motion = NamedMotion::thread; return {};
+    case 63: chuck_ = true; return {};
     case 70: feed_unit_ = 1; break;
     case 71: feed_unit_ = 0; break;
     case 700:
@@ -58,7 +62,7 @@ Status BlockRun::code_word(const NamedItem& item, char letter, double code) {
     case 58:
     case 59: shift_ = static_cast<int>(code); return {};
     case 25:
-    case 26: limits_ = true; return {};
+    case 26: limits_ = static_cast<int>(code); return {};
     default: break;
   }
   if (code <= 3) own_.memory.motion = NamedMotion::none;
@@ -72,6 +76,10 @@ Status BlockRun::m_word(const NamedItem& item, double code) {
     own_.words.returns = true;
     return {};
   }
+  if (code == 19) {
+    orient_ = 0.0;  // INFERRED: $SA_M19_SPOS is 0
+    return {};
+  }
   return add_code('M', code, item);
 }
 
@@ -81,9 +89,15 @@ Result<bool> BlockRun::name(const NamedItem& item, std::size_t& i) {
   if (name == "SETAL") return all_right(own_alarm(item));
   if (name == "MCALL") return modal_call(i);
   if (diameters(name)) return true;
+  if (name == "FGROUP") return all_right(feed_group(item));
   if (name == "SETMS") return all_right(master_spindle(item));
   if (name == "RET") {
-    if (item.has_arguments && !item.arguments.empty()) return fail(alarm(AlarmId::not_available, item.where, "RET( )"));
+    if (item.arguments.size() > 1) return fail(alarm(AlarmId::not_available, item.where, "RET( )"));
+    if (!item.arguments.empty()) {
+      const auto label = own_.evaluate(m_, read_, item.arguments[0]);
+      if (!label) return fail(label.error());
+      if (!label->omitted) own_.words.return_label = in_capitals(joined_text(*label));
+    }
     own_.words.returns = true;
     return true;
   }

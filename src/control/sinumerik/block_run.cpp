@@ -29,6 +29,9 @@ Result<bool> BlockRun::run() {
   if (block_.statement.kind == StatementKind::named && keyword != Keyword::none) return own_.structure(m_, read_, keyword);
   const NamedItem& first = read_.items.front();
   if (first.kind == NamedItem::Kind::condition && first.name == "CASE") return done(own_.choose(m_, read_));
+  if (first.kind == NamedItem::Kind::name && first.name == "EXECSTRING" && read_.items.size() == 1) return executed_text();
+  if (first.kind == NamedItem::Kind::name && first.name == "CALL" && read_.items.size() > 1 && read_.items[1].name == "BLOCK")
+    return done(own_.call_part(m_, read_));
   if (first.kind == NamedItem::Kind::name) {
     if (first.name == "REPEAT" || first.name == "REPEATB") return done(own_.repeat_part(m_, read_));
     if (Sinumerik::is_frame_statement(first.name)) return done(own_.frame_statement(m_, read_));
@@ -39,6 +42,15 @@ Result<bool> BlockRun::run() {
     if (!*more) return true;
   }
   return finish();
+}
+
+Result<bool> BlockRun::executed_text() {
+  const NamedItem& item = read_.items.front();
+  if (item.arguments.size() != 1) return fail(alarm(AlarmId::expression_syntax, item.where, "EXECSTRING"));
+  const auto text = own_.evaluate(m_, read_, item.arguments[0]);
+  if (!text) return fail(text.error());
+  if (text->type != Type::text) return fail(alarm(AlarmId::operand_type, item.where, "EXECSTRING"));
+  return own_.execute_text(m_, text->text, item.where);
 }
 
 Result<bool> BlockRun::item(std::size_t& i) {
@@ -127,6 +139,7 @@ Status BlockRun::system_word(const NamedItem& item) {
 
 Status BlockRun::assign(const NamedItem& item, const std::shared_ptr<Variable>& variable) {
   const Variable& to = *variable;
+  if (to.type == Type::frame && item.arguments.size() == to.sizes.size() + 2) return assign_component(item, variable);
   if (to.type == Type::text && to.sizes.empty() && item.arguments.size() == 1) return assign_sign(item, variable);
   const NamedStep& last = read_.code[item.value.end - 1];
   if (!to.sizes.empty() && last.kind == NamedStep::Kind::call && (last.name == "SET" || last.name == "REP"))
@@ -139,6 +152,25 @@ Status BlockRun::assign(const NamedItem& item, const std::shared_ptr<Variable>& 
   if (!fits) return fail(fits.error());
   fits->omitted = false;
   own_.assign(variable, *at, std::move(*fits));
+  return {};
+}
+
+/// FRAME1[X,TR]=5: a component of a frame.
+Status BlockRun::assign_component(const NamedItem& item, const std::shared_ptr<Variable>& to) {
+  const std::size_t first = to->sizes.size();
+  const std::vector<NamedExpression> indices(item.arguments.begin(), item.arguments.begin() + static_cast<std::ptrdiff_t>(first));
+  const auto at = own_.element(m_, read_, item.name, *to, indices, item.where);
+  if (!at) return fail(at.error());
+  const auto axis = own_.evaluate(m_, read_, item.arguments[first]), part = own_.evaluate(m_, read_, item.arguments[first + 1]);
+  if (!axis) return fail(axis.error());
+  if (!part) return fail(part.error());
+  const auto of = axis->type == Type::axis ? own_.axis_named(m_, axis->text) : std::nullopt;
+  if (!of) return fail(alarm(AlarmId::frame_component, item.where, std::string_view(axis->text)));
+  const auto value = own_.number(m_, read_, item.value, item.where);
+  if (!value) return fail(value.error());
+  Frame frame = *to->values[*at].frame;
+  KADR_TRY(set_component_of(frame, *of, part->text, *value, item.where));
+  own_.assign(to, *at, frame_value(frame));
   return {};
 }
 
@@ -214,12 +246,13 @@ Status BlockRun::store(const std::string& name, double value, const NamedItem& i
 Status BlockRun::long_word(const NamedItem& item) {
   const std::string& name = item.name;
   if (is_refused_name(name)) return fail(alarm(AlarmId::not_available, item.where, std::string_view(name)));
-  if (name == "POS" || name == "FA") return positioning(item);
+  if (name == "POS" || name == "POSA" || name == "FA") return positioning(item);
+  if (name == "AX") return axis_by_variable(item);
+  if (name == "OVR" || name == "FB" || name == "LIMS") return feed_word(item);
   if (name == "SPOS" || name == "SPOSA") {
     const auto value = number_of(item);
     if (!value) return fail(value.error());
-    m_.modal.spindle = SpindleDir::stop;
-    m_.emit(Spindle{SpindleDir::position, 0, 1, std::nullopt, *value});
+    orient(*value);
     return {};
   }
   if (among(accepted_words, name)) {
@@ -228,7 +261,7 @@ Status BlockRun::long_word(const NamedItem& item) {
     if (name == "CTOL") own_.memory.tolerance = std::max(0.0, value->number) * m_.unit_scale();
     return {};
   }
-  constexpr std::string_view stored[] = {"CR", "AR", "AP", "RP", "TURN", "CHR", "CHF", "RND", "RNDM", "FP", "ANG"};
+  constexpr std::string_view stored[] = {"CR", "AR", "AP", "RP", "TURN", "CHR", "CHF", "RND", "RNDM", "FP", "ANG", "SF"};
   if (!among(stored, name)) return fail(alarm(AlarmId::name_unknown, item.where, std::string_view(name)));
   if (!item.arguments.empty()) return unknown(item);
   const auto value = number_of(item);
@@ -243,6 +276,14 @@ Status BlockRun::bracketed(const NamedItem& item, double value) {
     const auto group = own_.number(m_, read_, item.arguments[0], item.where);
     if (!group) return fail(group.error());
     if (const auto code = code_at_place(*group, value)) return code_word(item, 'G', *code);
+  }
+  if ((item.name == "S" || item.name == "M") && item.arguments.size() == 1) {  // S[2]=500: the spindle by an expression
+    const auto spindle = own_.number(m_, read_, item.arguments[0], item.where);
+    if (!spindle) return fail(spindle.error());
+    NamedItem numbered = item;
+    numbered.extension = static_cast<std::int32_t>(std::lround(std::clamp(*spindle, 0.0, 99.0)));
+    if (numbered.extension != 1) return spindle_word(numbered, value);
+    return item.name == "M" ? m_word(numbered, value) : add('S', value, numbered);
   }
   return fail(alarm(AlarmId::not_available, item.where, std::string_view(item.name + "[ ]=")));
 }

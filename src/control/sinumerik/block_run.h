@@ -45,6 +45,8 @@ class BlockRun {
   Status unknown(const NamedItem& item) const;
   Status system_word(const NamedItem& item);
   Status assign(const NamedItem& item, const std::shared_ptr<Variable>& variable);
+  Status assign_component(const NamedItem& item, const std::shared_ptr<Variable>& to);
+  Result<bool> executed_text();
   Status assign_list(const NamedItem& item, const std::shared_ptr<Variable>& variable, const NamedStep& last);
   Status assign_sign(const NamedItem& item, const std::shared_ptr<Variable>& to);
   Status parameter(const NamedItem& item);
@@ -70,14 +72,20 @@ class BlockRun {
   /// M2=3, S2=500: a spindle other than the master. The words of a block act together at its end.
   Status spindle_word(const NamedItem& item, double value);
   void start_spindles();
+  /// AX[name]=10: the axis is the value of a variable (spec/sinumerik 3.1).
+  Status axis_by_variable(const NamedItem& item);
+  /// OVR=, FB=, LIMS= (spec/sinumerik 5, 12.1).
+  Status feed_word(const NamedItem& item);
+  /// FGROUP(X,Y,Z): the feed of the geometry axes, as without it.
+  Status feed_group(const NamedItem& item);
   /// POS[X]=5, FA[X]=200: a positioning axis (spec/sinumerik 3.1).
   Status positioning(const NamedItem& item);
   Status position_axes();
   /// G58, G59: the coarse and the fine shift of the programmable frame (spec/sinumerik 11.2).
   Status shift_frame();
   Status to_fixed_point();
-  /// G25 S, G26 S: the limits of the speed are those of the machine here. INFERRED: the limits of the working area are refused.
-  Status speed_limits() const;
+  /// G25 S, G26 S: the limits of the speed are those of the machine here. The limits of the working area are refused.
+  Status speed_limits();
   Result<bool> finish();
   void scale_feed();
   Status dwell();
@@ -92,6 +100,10 @@ class BlockRun {
   Status to_reference();
   /// G331, G332: tapping with the spindle as an axis: the feed is the speed times the lead (spec/sinumerik 12.5).
   Status tap();
+  Status thread();
+  Status begin_chuck();
+  void orient(double angle);
+  Status corner_words() const;
   /// CIP and CT: worked out as G2 or G3 with a centre (spec/sinumerik 12.2).
   Status named_arc();
 
@@ -101,12 +113,15 @@ class BlockRun {
   Block& block_;
   std::optional<NamedItem> call_;
   double times_ = 1;
-  bool in_dwell_ = false, tapping_ = false, reference_ = false, fixed_point_ = false, limits_ = false;
+  bool in_dwell_ = false, tapping_ = false, reference_ = false, fixed_point_ = false;
+  int limits_ = 0;  // 25, 26
   int pole_ = 0;
-  int shift_ = 0;               // 58, 59
-  std::uint32_t spindles_ = 0;  // spindles whose speed or direction the block changes, one bit each
-  AxisMask positioned_ = 0;     // axes of POS
-  Axes positions_{};            // programmed coordinates
+  int shift_ = 0;                 // 58, 59
+  bool chuck_ = false;            // G63
+  std::optional<double> orient_;  // M19
+  std::uint32_t spindles_ = 0;    // spindles whose speed or direction the block changes, one bit each
+  AxisMask positioned_ = 0;       // axes of POS
+  Axes positions_{};              // programmed coordinates
   std::optional<int> feed_unit_;
 };
 

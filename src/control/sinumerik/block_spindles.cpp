@@ -109,9 +109,58 @@ Status BlockRun::to_fixed_point() {
   return m_.to_machine(MotionKind::rapid, m_.tables.reference[static_cast<std::size_t>(point) + 1], named, 0);
 }
 
-Status BlockRun::speed_limits() const {
-  for (std::uint32_t i = 0; i < block_.word_count; ++i)
-    if (const Word& w = block_.words[i]; w.address != 'S') return fail(alarm(AlarmId::not_available, w.where, "G25, G26"));
+Status BlockRun::speed_limits() {
+  for (std::uint32_t i = 0; i < block_.word_count; ++i) {
+    const Word& w = block_.words[i];
+    if (w.address != 'S') return fail(alarm(AlarmId::not_available, w.where, "G25, G26"));
+    if (!(w.value >= 0)) return fail(alarm(AlarmId::value_out_of_range, w.where, 'S', w.value));
+    (limits_ == 25 ? own_.memory.speed_least : own_.memory.speed_most) = w.value;
+  }
+  if (m_.modal.surface_speed) m_.emit(m_.surface_speed());
+  return {};
+}
+
+Status BlockRun::axis_by_variable(const NamedItem& item) {
+  const bool one = item.arguments.size() == 1 && item.has_equals;
+  const auto index = one ? own_.evaluate(m_, read_, item.arguments[0]) : Result<Value>(Value{});
+  if (!index) return fail(index.error());
+  const auto axis = index->type == Type::axis ? own_.axis_named(m_, index->text) : std::nullopt;
+  if (!axis) return fail(alarm(AlarmId::operand_type, item.where, "AX[ ]"));
+  const auto value = own_.number(m_, read_, item.value, item.where);
+  if (!value) return fail(value.error());
+  return add(m_.letters.axis_letter[*axis], *value, item);
+}
+
+Status BlockRun::feed_word(const NamedItem& item) {
+  const auto value = number_of(item);
+  if (!value) return fail(value.error());
+  if (!(*value > 0)) return fail(alarm(AlarmId::value_out_of_range, item.where, std::string_view(item.name), *value));
+  Modes& memory = own_.memory;
+  if (item.name == "OVR") {
+    if (*value > 200) return fail(alarm(AlarmId::value_out_of_range, item.where, "OVR", *value));
+    m_.modal.feed *= *value / memory.override_percent;
+    memory.override_percent = *value;
+  } else if (item.name == "LIMS") {
+    memory.surface_most = *value;
+    if (m_.modal.surface_speed) m_.emit(m_.surface_speed());
+  } else {  // FB: the modal feed comes back after the block
+    own_.words.block_feed = m_.modal.feed;
+    own_.words.block_feed_known = m_.modal.feed_known;
+    const double unit = m_.modal.feed_mode == FeedMode::inverse_time || memory.feed_in_mm ? 1.0 : m_.unit_scale();
+    m_.modal.feed = *value * unit * memory.override_percent / 100;
+    m_.modal.feed_known = true;
+  }
+  return {};
+}
+
+Status BlockRun::feed_group(const NamedItem& item) {
+  for (const NamedExpression& each : item.arguments) {
+    const auto value = own_.evaluate(m_, read_, each);
+    if (!value) return fail(value.error());
+    const auto axis = value->type == Type::axis ? own_.axis_named(m_, value->text) : std::nullopt;
+    if (!axis || *axis > 2) return fail(alarm(AlarmId::not_available, item.where, "FGROUP"));
+  }
+  if (!item.arguments.empty() && item.arguments.size() != 3) return fail(alarm(AlarmId::not_available, item.where, "FGROUP"));
   return {};
 }
 

@@ -9,6 +9,7 @@
 namespace kadr::sinumerik {
 
 Result<bool> BlockRun::finish() {
+  if (call_ || block_.word_count > 0) own_.level().acted = true;
   if (call_) {
     const bool alone = block_.word_count == 0 && own_.words.numbers.empty();
     if (!alone) return fail(alarm(AlarmId::statement_not_alone, call_->where));
@@ -20,15 +21,19 @@ Result<bool> BlockRun::finish() {
   if (reference_) return done(to_reference());
   if (fixed_point_) return done(to_fixed_point());
   if (shift_ != 0) return done(shift_frame());
-  if (limits_) return done(speed_limits());
+  if (limits_ != 0) return done(speed_limits());
   start_spindles();
+  if (orient_) orient(*orient_);
   KADR_TRY(position_axes());
   KADR_TRY(polar_words());
   KADR_TRY(angle_word());
+  KADR_TRY(corner_words());
   if (own_.words.has("RNDM")) own_.memory.rounding = own_.words.number("RNDM") * m_.unit_scale();
   if (feed_unit_) own_.memory.feed_in_mm = *feed_unit_ == 1;
-  if (block_.has('F') && own_.memory.feed_in_mm) scale_feed();
+  if (block_.has('F')) scale_feed();
   if (tapping_) return done(tap());
+  if (own_.memory.motion == NamedMotion::thread && (block_.letters & m_.letters.axes) != 0) return done(thread());
+  if (chuck_) KADR_TRY(begin_chuck());
   if (own_.words.edge && !block_.has('M')) {
     const std::uint32_t edge = *std::exchange(own_.words.edge, std::nullopt);
     KADR_TRY(own_.activate_edge(m_, edge, own_.words.edge_where));
@@ -40,7 +45,16 @@ Result<bool> BlockRun::finish() {
 
 void BlockRun::scale_feed() {
   Word& f = block_.words[block_.at['F' - 'A']];
-  f.value /= mm_per_inch;
+  if (own_.memory.feed_in_mm) f.value /= mm_per_inch;
+  f.value *= own_.memory.override_percent / 100;
+}
+
+/// CHR, CHF and RND need a motion in their block (spec/sinumerik 12.4, 18: 10882).
+Status BlockRun::corner_words() const {
+  for (const char* const name : {"CHR", "CHF", "RND"})
+    if (own_.words.has(name) && (block_.letters & (m_.letters.axes | letter_bit('I') | letter_bit('J') | letter_bit('K'))) == 0)
+      return fail(alarm(AlarmId::corner_illegal, own_.words.where(name)));
+  return {};
 }
 
 Status BlockRun::dwell() {
@@ -128,7 +142,7 @@ Status BlockRun::angle_word() {
 
 Status BlockRun::machine_words() {
   if (!own_.words.machine) return {};
-  Axes work = m_.position.work;
+  Axes work = m_.position.work, machine = m_.position.machine;
   bool any = false;
   for (std::size_t a = 0; a < m_.axis_count; ++a) {
     const char letter = m_.letters.axis_letter[a];
@@ -136,17 +150,26 @@ Status BlockRun::machine_words() {
     any = true;
     const bool is_length = m_.def.address(letter).unit == WordUnit::length;
     const double basic = own_.words.basic_off ? 0.0 : m_.tables.common[a];
-    work[a] = block_.find(letter)->value * (is_length ? m_.unit_scale() : 1.0) + basic - m_.frames.origin[a];
+    const double value = block_.find(letter)->value * (is_length ? m_.unit_scale() : 1.0) + basic;
+    work[a] = value - m_.frames.origin[a];
+    machine[a] = value + m_.frames.length[a];
   }
   own_.words.machine = own_.words.basic_off = false;
   if (!any) return {};
-  if (m_.frames.turn != nullptr) return fail(alarm(AlarmId::not_available, block_.where, "SUPA"));
+  // In a turned frame each of the three axes moves, so that those without a word stay where they are in the machine.
+  const bool turned = !m_.frames.is_plain() || m_.transform.rotation != 0;
+  if (turned) work = m_.frames.work_of(machine);
   const Axes to = m_.transform.to_programmed(work);
   for (std::size_t a = 0; a < m_.axis_count; ++a) {
     const char letter = m_.letters.axis_letter[a];
-    if (letter == 0 || !block_.has(letter)) continue;
+    if (letter == 0 || (!block_.has(letter) && !(turned && a < 3))) continue;
     const bool is_length = m_.def.address(letter).unit == WordUnit::length;
-    block_.words[block_.at[static_cast<std::size_t>(letter - 'A')]].value = to[a] / (is_length ? m_.unit_scale() : 1.0);
+    const double diameter = (m_.modal.diameter >> a & 1U) != 0 ? 2 : 1;
+    const double value = to[a] * diameter / (is_length ? m_.unit_scale() : 1.0);
+    NamedItem item;
+    item.where = block_.where;
+    if (!block_.has(letter)) KADR_TRY(add(letter, value, item));
+    block_.words[block_.at[static_cast<std::size_t>(letter - 'A')]].value = value;
     own_.words.forms[static_cast<std::size_t>(letter - 'A')] = WordForm::absolute;
   }
   return {};
@@ -158,28 +181,6 @@ Status BlockRun::to_reference() {
     if (const char letter = m_.letters.axis_letter[a]; letter != 0 && block_.has(letter)) named |= AxisMask{1} << a;
   if (named == 0) return fail(alarm(AlarmId::no_axis_word, block_.where, "G74"));
   return m_.to_machine(MotionKind::home, m_.tables.reference[1], named, 0, EndReference::reference_1);
-}
-
-Status BlockRun::tap() {
-  const std::size_t normal = m_.modal.axes.normal;
-  const char lead_letter = m_.letters.center_letter[normal], axis_letter = m_.letters.axis_letter[normal];
-  if (!block_.has(lead_letter) || !block_.has(axis_letter))
-    return fail(alarm(AlarmId::word_missing, block_.where, lead_letter, "G331, G332"));
-  const double lead = block_.find(lead_letter)->value * m_.unit_scale();
-  double speed = m_.modal.rpm;
-  if (block_.has('S')) m_.modal.rpm = speed = block_.find('S')->value;
-  if (!(speed > 0) || lead == 0) return fail(alarm(AlarmId::speed_missing, block_.where));
-  Axes to;
-  AxisMask named = 0;
-  KADR_TRY(m_.target(to, named));
-  const double feed = m_.modal.feed;
-  const FeedMode mode = m_.modal.feed_mode;
-  m_.modal.feed = speed * std::fabs(lead);
-  m_.modal.feed_mode = FeedMode::per_minute;
-  const Status moved = m_.straight(MotionKind::feed, to, named);
-  m_.modal.feed = feed;
-  m_.modal.feed_mode = mode;
-  return moved;
 }
 
 Status BlockRun::named_arc() {

@@ -11,8 +11,8 @@ namespace kadr::sinumerik {
 namespace {
 
 /// G codes that the words of the table do not describe completely; a block with one of them is read by lang/named.
-constexpr int own_codes[] = {4,   25,  26,  33,  53,  58,  59,  70,  71,  74,  75,  110, 111,
-                             112, 147, 148, 153, 247, 248, 331, 332, 347, 348, 700, 710};
+constexpr int own_codes[] = {4,   25,  26,  33,  53,  58,  59,  63,  70,  71,  74,  75,  110,
+                             111, 112, 147, 148, 153, 247, 248, 331, 332, 347, 348, 700, 710};
 bool is_own_code(double code) {
   return std::any_of(std::begin(own_codes), std::end(own_codes), [&](int own) { return own == code; });
 }
@@ -21,11 +21,13 @@ bool is_own_code(double code) {
 
 bool Sinumerik::needs_names(const BlockContext& m) const {
   const Block& block = *m.block;
-  if (block.statement.kind == StatementKind::named || memory.motion != NamedMotion::none || memory.feed_in_mm) return true;
+  if (block.statement.kind == StatementKind::named || memory.motion != NamedMotion::none || memory.feed_in_mm ||
+      memory.override_percent != 100)
+    return true;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
     if (w.address == 'G' && is_own_code(w.code / 10.0)) return true;
-    if (w.address == 'M' && w.code == 170) return true;
+    if (w.address == 'M' && (w.code == 170 || w.code == 190)) return true;
   }
   return false;
 }
@@ -35,7 +37,7 @@ Result<bool> Sinumerik::takes_block(Interpreter& m) {
   kept_ = circle_by_name_ = false;
   previous_ = m.position.work;
   if (!needs_names(m)) {
-    if (m.block->word_count > 0) level().executing = true;  // a line with a comment alone may stand before PROC and DEF
+    if (m.block->word_count > 0) level().executing = level().acted = true;  // a line with a comment alone may stand before PROC and DEF
     if ((m.block->letters & missing_axes) != 0)
       for (std::uint32_t i = 0; i < m.block->word_count; ++i)
         if (const Word& w = m.block->words[i]; (missing_axes & letter_bit(w.address)) != 0)
@@ -99,6 +101,22 @@ bool Sinumerik::put_macros(Block& block) {
   block.text = expanded_;
   block.statement.text.end = end;
   return true;
+}
+
+Result<bool> Sinumerik::execute_text(Interpreter& m, const std::string& text, Span where) {
+  if (executes_text_) return fail(alarm(AlarmId::not_available, where, "EXECSTRING"));
+  Block& block = *scratch_;
+  const Span written = block.statement.text;
+  executed_ = std::string(written.begin, ' ') + text;
+  block.text = executed_;
+  block.statement.text.end = static_cast<std::uint32_t>(executed_.size());
+  executes_text_ = true;
+  auto done = run_statement(m);
+  executes_text_ = false;
+  if (done) return done;
+  Alarm fault = done.error();
+  fault.where = where;  // the place in the text is none in the program
+  return fail(fault);
 }
 
 Result<bool> Sinumerik::run_statement(Interpreter& m) {

@@ -151,6 +151,16 @@ Status Sinumerik::leave(Interpreter& m, Span where) {
   return set_programmable(m, ended.saved_frame, where);
 }
 
+Status Sinumerik::jump_in_caller(Interpreter& m, const std::string& label, Span where) {
+  const Position from = m.program().position();
+  const ProgramIndex& all = index(m);
+  const LabelRow* target = all.label(label, from, true);
+  if (target == nullptr) target = all.label(label, from, false);
+  if (target == nullptr) return fail(alarm(AlarmId::label_missing, where, std::string_view(label)));
+  m.flow.jump(target->at);
+  return {};
+}
+
 Result<std::shared_ptr<Variable>> Sinumerik::made_variable(BlockContext& m, const NamedBlock& block, const NamedDefinition& row) {
   const Type type = type_named(block.types[0]);
   constexpr double most_elements = 1'000'000;
@@ -193,6 +203,7 @@ Result<std::shared_ptr<Variable>> Sinumerik::made_variable(BlockContext& m, cons
 Status Sinumerik::define(Interpreter& m, const NamedBlock& block) {
   Level& own = level();
   if (block.global) return fail(alarm(AlarmId::not_available, m.block->statement.text, "DEF NCK, DEF CHAN"));
+  if (own.acted) return fail(alarm(AlarmId::definition_late, m.block->statement.text, "DEF"));
   for (const NamedDefinition& row : block.definitions) {
     // A loop or a jump back may execute DEF again; the control forbids a second DEF of the name in the text.
     if (own.variables.contains(row.name) && !own.executing)
@@ -209,11 +220,14 @@ Status Sinumerik::call_item(Interpreter& m, const NamedBlock& block, const Named
   std::string name = item.name;
   const bool by_text = name == "CALL" || name == "PCALL" || name == "EXTCALL";
   if (by_text) {
-    if (!item.value) return fail(alarm(AlarmId::not_available, item.where, "CALL BLOCK"));
-    const auto value = evaluate(m, block, item.value);
-    if (!value) return fail(value.error());
-    if (value->type != Type::text) return fail(alarm(AlarmId::operand_type, item.where, std::string_view(item.name)));
-    name = value->text;
+    if (!item.value && item.text.empty()) return fail(alarm(AlarmId::expression_syntax, item.where, std::string_view(item.name)));
+    name = item.text;  // PCALL
+    if (item.value) {
+      const auto value = evaluate(m, block, item.value);
+      if (!value) return fail(value.error());
+      if (value->type != Type::text) return fail(alarm(AlarmId::operand_type, item.where, std::string_view(item.name)));
+      name = value->text;
+    }
   }
   std::vector<Value> arguments;
   std::vector<std::shared_ptr<Variable>> references;

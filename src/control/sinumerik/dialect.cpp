@@ -99,7 +99,7 @@ void Sinumerik::take_setup(Emitter& m, const Setup& setup) {
     m.modal.offset_number = off || m.modal.tool >= tool_rows ? 0 : m.modal.tool;
   }
   words = {};
-  memory.levels.front().executing = false;
+  memory.levels.front().executing = memory.levels.front().acted = false;
 }
 
 bool Sinumerik::knows_tool(const BlockContext& m, double tool) const {
@@ -136,6 +136,21 @@ void Sinumerik::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
       break;
     case Function::constant_velocity: m.modal.blend_tolerance = row.code == "G64" ? 0 : memory.tolerance; break;
     case Function::exact_stop_mode: m.modal.blend_tolerance = 0; break;
+    case Function::surface_speed: {  // G96 is of the group of G95: its feed is per revolution
+      if (m.modal.feed_mode == FeedMode::per_revolution) break;
+      m.modal.feed_mode = FeedMode::per_revolution;
+      m.modal.feed_known = m.has('F');
+      break;
+    }
+    case Function::feed_per_minute:
+    case Function::feed_per_revolution:
+    case Function::feed_inverse_time:
+      if (m.modal.surface_speed) {
+        m.modal.rpm = m.surface_speed().rpm(m.position.work, m.modal.rpm);
+        m.modal.surface_speed = false;
+        m.emit(m.surface_speed());
+      }
+      break;
     case Function::plane_xy:
     case Function::plane_zx:
     case Function::plane_yz: m.change_frames(); break;
@@ -156,7 +171,20 @@ Status Sinumerik::after_block(Interpreter& m) {
     KADR_TRY(activate_edge(m, edge, words.edge_where));
   }
   kept_ = false;
-  if (words.returns) return leave(m, m.block->where);
+  if (words.chuck) {
+    const Modal now = std::exchange(m.modal, *std::exchange(words.chuck, std::nullopt));
+    m.modal.spindle = now.spindle, m.modal.rpm = now.rpm, m.modal.tool = now.tool, m.modal.tool_selected = now.tool_selected;
+    m.modal.offset_number = now.offset_number, m.modal.mist = now.mist, m.modal.flood = now.flood;
+  }
+  if (words.block_feed) {
+    m.modal.feed = *std::exchange(words.block_feed, std::nullopt);
+    m.modal.feed_known = words.block_feed_known;
+  }
+  if (words.returns) {
+    const std::string label = std::exchange(words.return_label, {});
+    KADR_TRY(leave(m, m.block->where));
+    return label.empty() || m.flow.ended() ? Status() : jump_in_caller(m, label, m.block->where);
+  }
   if (!words.moved || m.program().ended() || !level().modal_call) return {};
   const ModalCall modal = *level().modal_call;
   const auto found = find_program(m, modal.name);
@@ -195,7 +223,10 @@ bool Sinumerik::end_program(Interpreter& m) {
   memory.motion = NamedMotion::none;
   memory.rounding = memory.tolerance = m.modal.blend_tolerance = 0;
   memory.feed_in_mm = false;
-  memory.programmable = {};
+  memory.override_percent = 100;
+  memory.surface_most = memory.speed_least = memory.speed_most = 0;
+  memory.programmable = memory.swivel = {};
+  memory.in_space = false;
   const auto switches = m.transform.mirror;
   m.transform = Transform();
   m.transform.mirror = switches;
@@ -207,10 +238,19 @@ bool Sinumerik::end_program(Interpreter& m) {
   return false;
 }
 
+/// G96: LIMS, G25 S and G26 S limit the speed (spec/sinumerik 5).
+SurfaceSpeed Sinumerik::surface_speed(const BlockContext& m) const {
+  SurfaceSpeed speed = m.speed_by_x();
+  if (memory.surface_most > 0) speed.most = memory.surface_most;
+  if (memory.speed_most > 0) speed.most = std::min(speed.most, memory.speed_most);
+  speed.least = std::min(memory.speed_least, speed.most);
+  return speed;
+}
+
 Result<bool> Sinumerik::end_of_file(BlockContext&) { return true; }
 
-/// The number of the program's own alarm is that of SETAL.
-void Sinumerik::reword(const BlockContext&, AlarmReport&) const {}
+/// Alarms whose number depends on the word (spec/sinumerik 18).
+void Sinumerik::reword(const BlockContext&, AlarmReport& report) const { (void)report; }
 
 /// Reports the R parameters that are not 0, and the watched variables of the main program.
 void Sinumerik::add_variables(Emitter&, FinalState& ending, const std::vector<std::string>& watch) {

@@ -152,6 +152,45 @@ bool is_number_text(const std::string& text, double& number) {
   return stop == plain.c_str() + plain.size() && std::isfinite(number);
 }
 
+/// SPRINT("%5.2F", v): %B, %C, %D, %F, %E, %G, %S with width and decimals (spec/sinumerik 6.3).
+Result<Value> printed(const std::vector<Value>& v, Span where) {
+  if (v.empty() || v[0].type != Type::text) return fail(alarm(AlarmId::operand_type, where, "SPRINT"));
+  const std::string& format = v[0].text;
+  std::string all;
+  std::size_t used = 1;
+  for (std::size_t i = 0; i < format.size(); ++i) {
+    if (format[i] != '%') {
+      all += format[i];
+      continue;
+    }
+    if (i + 1 < format.size() && format[i + 1] == '%') {
+      all += format[++i];
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < format.size() && (is_digit(format[end]) || format[end] == '.' || format[end] == '-' || format[end] == '+')) ++end;
+    if (end >= format.size() || end - i > 8 || used >= v.size()) return fail(alarm(AlarmId::operand_type, where, "SPRINT"));
+    const std::string shape = format.substr(i, end - i);
+    const char kind = static_cast<char>(std::toupper(static_cast<unsigned char>(format[end])));
+    const Value& value = v[used++];
+    char text[512];
+    if (kind == 'S' || kind == 'C' || kind == 'B') {
+      const std::string one = kind == 'B' ? (value.number != 0 ? "TRUE" : "FALSE") : joined_text(value);
+      std::snprintf(text, sizeof text, (shape + "s").c_str(), one.c_str());
+    } else if (kind == 'D' && value.is_number()) {
+      std::snprintf(text, sizeof text, (shape + "lld").c_str(), std::llround(value.number));
+    } else if ((kind == 'F' || kind == 'E' || kind == 'G') && value.is_number()) {
+      const std::string written = shape + static_cast<char>(std::tolower(static_cast<unsigned char>(kind)));
+      std::snprintf(text, sizeof text, written.c_str(), value.number);
+    } else {
+      return fail(alarm(AlarmId::not_available, where, std::string_view("SPRINT " + shape + format[end])));
+    }
+    all += text;
+    i = end;
+  }
+  return text_value(all);
+}
+
 /// Functions of texts (spec/sinumerik 6.3). Returns nullopt if no function has this name.
 std::optional<Result<Value>> text_function(const std::string& name, const std::vector<Value>& v, Span where) {
   const auto text = [&](std::size_t i) { return i < v.size() ? joined_text(v[i]) : std::string(); };
@@ -182,6 +221,7 @@ std::optional<Result<Value>> text_function(const std::string& name, const std::v
     if (!is) return Result<Value>(fail(alarm(AlarmId::text_not_number, where, std::string_view(text(0)))));
     return real(number);
   }
+  if (name == "SPRINT") return printed(v, where);
   if (name == "AXNAME") return axis_value(text(0));
   if (name == "AXSTRING") return text_value(text(0));
   return std::nullopt;
@@ -289,6 +329,18 @@ Result<std::vector<Value>> Sinumerik::evaluate_all(BlockContext& m, const NamedB
           Value letter = initial_value(Type::character);
           letter.number = static_cast<unsigned char>(all[static_cast<std::size_t>(at)]);
           stack.push_back(letter);
+          break;
+        }
+        if (found->type == Type::frame && indices.size() == found->sizes.size() + 2) {
+          std::size_t at = 0;
+          for (std::size_t k = 0; k < found->sizes.size(); ++k)
+            at = at * found->sizes[k] + static_cast<std::size_t>(std::clamp(std::round(indices[k].number), 0.0, found->sizes[k] - 1.0));
+          const Value &axis = indices[indices.size() - 2], &part = indices.back();
+          const auto of = axis.type == Type::axis ? axis_named(m, axis.text) : std::nullopt;
+          if (!of) return fail(alarm(AlarmId::frame_component, step.where, std::string_view(axis.text)));
+          const auto value = component_of(*found->values[at].frame, *of, part.text, step.where);
+          if (!value) return fail(value.error());
+          stack.push_back(real(*value));
           break;
         }
         if (indices.size() != found->sizes.size())

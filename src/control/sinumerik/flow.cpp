@@ -38,6 +38,7 @@ const ProgramIndex& Sinumerik::index(const BlockContext& m, std::uint16_t reader
 
 Status Sinumerik::jump(Interpreter& m, const NamedBlock& block, const NamedItem& item) {
   if (item.name == "GOTOS") return {};
+  level().acted = true;
   std::string name = item.text;
   if (item.value) {
     const auto value = evaluate(m, block, item.value);
@@ -75,7 +76,7 @@ Result<bool> Sinumerik::structure(Interpreter& m, const NamedBlock& block, Keywo
   const std::string_view text = keyword_text(keyword);
   if (row == nullptr || row->misplaced) return fail(alarm(AlarmId::structure_wrong, where, text));
   if (row->depth >= deepest_structure) return fail(alarm(AlarmId::structure_deep, where, double{deepest_structure}));
-  if (row->partner < 0) return fail(alarm(AlarmId::structure_open, where, text));
+  if (row->partner < 0) return fail(alarm(all.misplaced_after(*row) ? AlarmId::structure_wrong : AlarmId::structure_open, where, text));
   const StructureRow& partner = all.row(row->partner);
   const auto condition = [&]() -> Result<bool> {
     if (block.items.size() != 1 || block.items[0].kind != NamedItem::Kind::condition || block.items[0].name == "FOR")
@@ -84,18 +85,31 @@ Result<bool> Sinumerik::structure(Interpreter& m, const NamedBlock& block, Keywo
     if (!value) return fail(value.error());
     return *value != 0;
   };
-  const auto counter = [&](const NamedBlock& head) -> Result<Value*> {
+  struct Counter {
+    double* number;
+    Type type;
+  };
+  const auto counter = [&](const NamedBlock& head) -> Result<Counter> {
     const NamedItem& item = head.items[0];
-    const bool parameter = item.text.size() > 1 && item.text[0] == 'R' && is_digit(item.text[1]);
-    if (parameter) return fail(alarm(AlarmId::operand_type, item.where, std::string_view(item.text)));
+    const bool by_number = item.text.size() > 1 && item.text[0] == 'R' && item.text.find_first_not_of("0123456789", 1) == std::string::npos;
     const auto found = variable(item.text);
+    if (found == nullptr && (by_number || (item.text == "R" && item.value))) {
+      double index = std::strtod(item.text.c_str() + 1, nullptr);
+      if (!by_number) {
+        const auto value = number(m, head, item.value, item.where);
+        if (!value) return fail(value.error());
+        index = std::round(*value);
+      }
+      if (!(index >= 0) || index >= double{parameter_count}) return fail(alarm(AlarmId::index_range, item.where, "R", index));
+      return Counter{&memory.parameters[static_cast<std::size_t>(index)], Type::real};
+    }
     if (found == nullptr) return fail(alarm(AlarmId::name_unknown, item.where, std::string_view(item.text)));
     if (found->type != Type::integer && found->type != Type::real) return fail(alarm(AlarmId::operand_type, item.where, "FOR"));
     std::vector<NamedExpression> indices;
     if (item.value) indices.push_back(item.value);
     const auto at = element(m, head, item.text, *found, indices, item.where);
     if (!at) return fail(at.error());
-    return &found->values[*at];
+    return Counter{&found->values[*at].number, found->type};
   };
   switch (keyword) {
     case Keyword::if_: {
@@ -128,17 +142,17 @@ Result<bool> Sinumerik::structure(Interpreter& m, const NamedBlock& block, Keywo
       const auto at = counter(block);
       if (!at) return fail(at.error());
       if (std::exchange(memory.counts_on, std::nullopt) == m.block->position) {
-        (*at)->number += 1;
+        *at->number += 1;
       } else {
         const auto from = evaluate(m, block, item.arguments[0]);
         if (!from) return fail(from.error());
-        auto value = converted(*from, (*at)->type, item.where);
+        const auto value = converted(*from, at->type, item.where);
         if (!value) return fail(value.error());
-        **at = *value;
+        *at->number = value->number;
       }
       const auto to = number(m, block, item.arguments[1], item.where);
       if (!to) return fail(to.error());
-      if ((*at)->number > *to) m.flow.jump(partner.after);
+      if (*at->number > *to) m.flow.jump(partner.after);
       return true;
     }
     case Keyword::endfor: {
@@ -207,6 +221,26 @@ Status Sinumerik::repeat_part(Interpreter& m, const NamedBlock& block) {
   frame.caller = m.origin;
   KADR_TRY(m.flow.call_at(m.program().reader(), begin->at, frame, item.where));
   memory.repeated.push_back({begin->at, end, m.program().depth()});
+  return {};
+}
+
+Status Sinumerik::call_part(Interpreter& m, const NamedBlock& block) {
+  const auto& items = block.items;
+  const NamedItem& call = items[0];
+  const bool whole = items.size() == 3 && items[2].name == "TO" && !items[1].text.empty() && !items[2].text.empty();
+  if (!whole) return fail(alarm(AlarmId::expression_syntax, call.where, "CALL BLOCK"));
+  if (call.value) return fail(alarm(AlarmId::not_available, call.where, "CALL BLOCK"));
+  const ProgramIndex& all = index(m);
+  const LabelRow* const begin = all.section_label(items[1].text, m.block->position);
+  const LabelRow* const last = all.section_label(items[2].text, m.block->position);
+  if (begin == nullptr || last == nullptr || last->at.offset < begin->at.offset)
+    return fail(alarm(AlarmId::section_missing, call.where, std::string_view(begin == nullptr ? items[1].text : items[2].text)));
+  CallFrame frame;
+  frame.kind = CallFrame::Kind::subprogram;
+  frame.left = 1;
+  frame.caller = m.origin;
+  KADR_TRY(m.flow.call_at(m.program().reader(), begin->at, frame, call.where));
+  memory.repeated.push_back({begin->at, last->after, m.program().depth()});
   return {};
 }
 

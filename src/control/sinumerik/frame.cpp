@@ -137,6 +137,19 @@ std::optional<Transform> transform_of(const Frame& frame) {
   return std::nullopt;
 }
 
+std::optional<Transform> scale_in_space(const Frame& frame) {
+  const FrameParts parts = parts_of(frame.linear);
+  const Matrix back = matrix_of(parts);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (std::fabs(back[i][j] - frame.linear[i][j]) > 1e-9) return std::nullopt;
+  Transform all;
+  for (std::size_t a = 0; a < 3; ++a) all.scale[a] = near(parts.scale[a], 1) ? 1 : parts.scale[a];
+  for (std::size_t a = 3; a < max_axes; ++a) all.added[a] = frame.shift[a] + frame.fine[a];
+  all.refresh();
+  return all;
+}
+
 bool is_rotation(const Matrix& linear) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {

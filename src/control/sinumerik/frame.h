@@ -44,6 +44,9 @@ Matrix matrix_of(const FrameParts& parts);
 /// Returns the frame as a Transform of the interpreter, which turns one plane and has a factor per axis. Returns nullopt for a frame that
 /// turns in space, or that shears, because unequal factors act after a rotation.
 std::optional<Transform> transform_of(const Frame& frame);
+/// Returns the scale and mirror of a frame as a Transform; its rotation and shift in space are left to the placement. Returns nullopt for a
+/// frame that shears.
+std::optional<Transform> scale_in_space(const Frame& frame);
 /// Returns true if the frame's linear part is a rotation (without scale and mirror).
 bool is_rotation(const Matrix& linear);
 

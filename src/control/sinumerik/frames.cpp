@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "control/sinumerik/sinumerik.h"
+#include "kinematics/five_axis_transform.h"
 
 namespace kadr::sinumerik {
 namespace {
@@ -17,9 +19,12 @@ bool Sinumerik::is_frame_statement(std::string_view name) {
 }
 
 /// Puts a programmable frame in force. The tool does not move; its programmed coordinates are those of the new frame.
-///   alarms  not_available: the frame turns in space, or shears
+///   alarms  not_available: the frame shears
 Status Sinumerik::set_programmable(Emitter& m, const Frame& frame, Span where) {
-  const auto transform = transform_of(frame);
+  const Frame whole = memory.swivel.is_unchanged() ? frame : chained(memory.swivel, frame);
+  auto transform = transform_of(whole);
+  const bool in_space = !transform;
+  if (in_space) transform = scale_in_space(whole);
   if (!transform) return fail(alarm(AlarmId::not_available, where, "ROT"));
   for (std::size_t a = 0; a < 3; ++a)
     if (transform->scale[a] == 0) return fail(alarm(AlarmId::scale_zero, where, std::string_view(m.axis_names[a])));
@@ -28,6 +33,7 @@ Status Sinumerik::set_programmable(Emitter& m, const Frame& frame, Span where) {
   m.transform = *transform;
   m.transform.mirror = switches;
   m.transform.refresh();
+  if (std::exchange(memory.in_space, in_space) || in_space) m.change_frames();
   m.position.programmed = m.transform.to_programmed(m.position.work);
   memory.has_direction = false;
   return {};
@@ -100,20 +106,46 @@ Result<Value> Sinumerik::frame_function(const std::string& name, const std::vect
   return frame_value(frame);
 }
 
+namespace {
+
+Mat3 matrix_in_space(const Matrix& m) {
+  return {{Vec3{m[0][0], m[0][1], m[0][2]}, Vec3{m[1][0], m[1][1], m[1][2]}, Vec3{m[2][0], m[2][1], m[2][2]}}};
+}
+
+Vec3 in_space(const Axes& axes) { return {axes[0], axes[1], axes[2]}; }
+
+}  // namespace
+
+/// Gives a frame that turns in space to the placement, so that arcs, compensation and cycles act in its plane.
+void Sinumerik::place_in_space(Emitter& m) {
+  const Frame whole = chained(memory.swivel, memory.programmable);
+  FrameParts turn = parts_of(whole.linear);
+  turn.scale = {1, 1, 1};
+  FiveAxisTransformData data;
+  data.zero = in_space(m.frames.origin);
+  data.basic = matrix_in_space(memory.active.linear);
+  data.has_frame = true;
+  data.frame = matrix_in_space(matrix_of(turn));
+  Axes shift{};
+  for (std::size_t a = 0; a < 3; ++a) shift[a] = whole.shift[a] + whole.fine[a];
+  data.frame_origin = in_space(shift);
+  data.length = in_space(m.frames.length);
+  auto made = std::make_shared<const FiveAxisTransform>(data);
+  const auto now = made->turn();
+  m.frames.space = std::move(made);
+  m.frames.turn = std::make_shared<const FrameTurn>(FrameTurn{now->rows, data.main, {}});
+}
+
 /// Computes machine = origin + length + turn · (shift + work) of the settable frame in force, and the tool length along the normal of the
 /// plane (spec/sinumerik 11.1, 13.1).
 void Sinumerik::refresh_frames(Emitter& m) {
-  Frame all = memory.active;
-  if (words.basic_off) all = {};
-  if (words.machine) all = {};
-  for (std::size_t a = 0; a < m.axis_count; ++a)
-    m.frames.origin[a] = (words.basic_off ? 0.0 : m.tables.common[a]) + all.shift[a] + all.fine[a];
+  const Frame& all = memory.active;
+  const Placement before = m.frames;
+  for (std::size_t a = 0; a < m.axis_count; ++a) m.frames.origin[a] = m.tables.common[a] + all.shift[a] + all.fine[a];
   m.frames.turn = nullptr;
-  if (all.linear != unit_matrix && is_rotation(all.linear)) {
-    auto turn = std::make_shared<FrameTurn>();
-    for (std::size_t i = 0; i < 3; ++i) turn->rows[i] = {all.linear[i][0], all.linear[i][1], all.linear[i][2]};
-    m.frames.turn = turn;
-  }
+  m.frames.space = nullptr;
+  if (all.linear != unit_matrix && is_rotation(all.linear))
+    m.frames.turn = std::make_shared<const FrameTurn>(FrameTurn{matrix_in_space(all.linear).rows, {0, 1, 2}, {}});
   m.frames.length = {};
   if (m.modal.offset_number != 0 && m.modal.offset_number < m.tables.offsets.size()) {
     const ToolOffset& offset = m.tables.offsets[m.modal.offset_number];
@@ -123,6 +155,12 @@ void Sinumerik::refresh_frames(Emitter& m) {
     m.frames.length[normal] = offset.whole_length();
     m.frames.length[others[normal][0] == normal ? others[normal][1] : others[normal][1]] += offset.length_x + offset.length_x_wear;
   }
+  if (memory.in_space) place_in_space(m);
+  // Equal frames stay the same objects, so that a comparison of placements finds no change.
+  if (before.turn && m.frames.turn && *before.turn == *m.frames.turn) m.frames.turn = before.turn;
+  if (before.space && m.frames.space &&
+      static_cast<const FiveAxisTransform&>(*before.space).data() == static_cast<const FiveAxisTransform&>(*m.frames.space).data())
+    m.frames.space = before.space;
 }
 
 }  // namespace kadr::sinumerik

@@ -41,6 +41,7 @@ struct Level {
   std::vector<std::shared_ptr<Variable>> references;  // for VAR: the caller's variables; nullptr: the argument is no variable
   bool has_arguments = false;
   bool took_arguments = false;  // PROC was executed
+  bool acted = false;           // a word, a jump or a call has been executed: DEF is too late
   bool executing = false;       // a block other than PROC, EXTERN and DEF has been executed
   std::optional<Modal> saved;   // SAVE: the modes at the call
   Frame saved_frame;
@@ -54,13 +55,15 @@ struct RepeatedPart {
 };
 
 /// The motion of group 1 that is no G code of the table.
-enum class NamedMotion : std::uint8_t { none, through_point, tangent };
+enum class NamedMotion : std::uint8_t { none, through_point, tangent, thread };
 
 /// The modes that are values of a fixed size: a block that fails gets all of them back.
 struct Modes {
   std::optional<Position> counts_on;  // ENDFOR has jumped to the FOR at this position, which counts on
   Frame active;                       // the settable frame that the last G54 put in force
+  Frame swivel;                       // CYCLE800: between the settable and the programmable frame
   Frame programmable;                 // TRANS, ROT …
+  bool in_space = false;              // swivel and programmable frame turn in space: the placement has them, not the transformation
   NamedMotion motion = NamedMotion::none;
   Vec2 pole;  // in the plane, programmed coordinates
   double polar_angle = 0, polar_radius = 0;
@@ -71,6 +74,9 @@ struct Modes {
   double tolerance = 0;                     // CTOL, CYCLE832: of G642 to G645, mm; 0: none
   std::array<double, 10> speeds{};          // S2=, S3= …, rev/min, by the number of the spindle
   std::array<SpindleDir, 10> directions{};  // M2=, M3= …
+  double override_percent = 100;            // OVR
+  double surface_most = 0;                  // LIMS, rev/min; 0: none
+  double speed_least = 0, speed_most = 0;   // G25 S, G26 S, rev/min; 0: none
   bool feed_in_mm = false;                  // G70: words of axes are in inches, F is in mm
   Vec2 direction;                           // of the last motion at its end, in the plane of that motion, programmed coordinates
   PlaneAxes direction_plane;
@@ -86,6 +92,7 @@ struct Memory : Modes {
   std::vector<RepeatedPart> repeated;
   std::vector<Frame> settable = std::vector<Frame>(settable_frames);
   std::map<std::pair<std::uint32_t, std::uint32_t>, ToolOffset> edges;  // of $TC_DP: {tool, edge}; edge 1 is in Tables::offsets too
+  std::map<std::pair<std::string, int>, double> stored;                 // $AC_MARKER[n], $AC_PARAM[n]
   std::map<std::string, std::uint32_t> tools;                           // names of T="…"
 };
 

@@ -175,6 +175,8 @@ Status Sinumerik::target(const BlockContext& m, Axes& to, AxisMask& named) const
       case WordForm::direct:
       case WordForm::positive:
       case WordForm::negative: {
+        if (form != WordForm::direct && !(value >= 0 && value < 360))
+          return fail(alarm(AlarmId::value_out_of_range, m.where(letter), form == WordForm::positive ? "ACP" : "ACN", value));
         double way = std::fmod(value - now, 360.0);
         if (form == WordForm::direct && way > 180) way -= 360;
         if (form == WordForm::direct && way <= -180) way += 360;
@@ -208,6 +210,7 @@ void Sinumerik::note_motion(Emitter& m, Motion& motion) {
   if (words.has("RND")) rounding = words.number("RND") * unit;
   if (words.has("CHR")) chamfer = words.number("CHR") * unit, rounding = 0;
   if (words.has("CHF")) chamfer = -words.number("CHF") * unit, rounding = 0;  // its own length (path/compensation/contour_motion.h)
+  if (words.chuck) motion.own_override = motion.no_hold = true;               // G63
   const AxisMask plane = AxisMask{1} << motion.first | AxisMask{1} << motion.second;
   if (cuts && (motion.named & plane) != 0 && (rounding > 0 || chamfer != 0)) {
     auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
@@ -217,7 +220,9 @@ void Sinumerik::note_motion(Emitter& m, Motion& motion) {
     detail->contour = corner;
     motion.detail = std::move(detail);
   }
-  if (!m.transform.identity) {
+  const bool plain = m.transform.identity && m.modal.radius_side == 0;
+  motion.as_programmed = memory.in_space && plain && motion.kind != MotionKind::probe;
+  if (!m.transform.identity || (memory.in_space && !plain)) {
     auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
     detail->programmed = m.position.programmed;
     detail->has_programmed = true;

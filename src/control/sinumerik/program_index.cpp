@@ -133,6 +133,12 @@ ProgramIndex::ProgramIndex(const ProgramFile& file) {
   }
 }
 
+bool ProgramIndex::misplaced_after(const StructureRow& row) const {
+  return std::any_of(rows_.begin(), rows_.end(), [&](const StructureRow& each) {
+    return each.misplaced && each.at.offset > row.at.offset && &program_at(each.at) == &program_at(row.at);
+  });
+}
+
 const StructureRow* ProgramIndex::structure_at(const Position& at) const {
   const auto found = by_offset_.find(at.offset);
   return found == by_offset_.end() ? nullptr : &rows_[static_cast<std::size_t>(found->second)];

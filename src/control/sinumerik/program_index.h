@@ -49,6 +49,8 @@ class ProgramIndex {
   explicit ProgramIndex(const ProgramFile& file);
 
   const StructureRow* structure_at(const Position& at) const;
+  /// Returns true if an end of a structure that does not fit stands behind the row: the structure is closed wrongly, not left open.
+  bool misplaced_after(const StructureRow& row) const;
   const StructureRow& row(std::int32_t index) const { return rows_[static_cast<std::size_t>(index)]; }
   /// Returns the program that contains the block.
   const ProgramRow& program_at(const Position& at) const;

@@ -28,10 +28,14 @@ struct BlockWords {
   std::map<std::string, Span> places;
   std::optional<std::uint32_t> edge;  // D
   Span edge_where;
-  bool machine = false;    // G53, G153, SUPA
-  bool basic_off = false;  // G153, SUPA
-  bool returns = false;    // M17, RET
-  bool moved = false;      // the block has moved an axis
+  bool machine = false;              // G53, G153, SUPA
+  bool basic_off = false;            // G153, SUPA
+  bool returns = false;              // M17, RET
+  std::string return_label;          // RET("LABEL")
+  std::optional<Modal> chuck;        // G63: the modes before its block
+  std::optional<double> block_feed;  // FB: the feed after its block
+  bool block_feed_known = false;
+  bool moved = false;  // the block has moved an axis
   bool has(const std::string& name) const { return numbers.contains(name); }
   double number(const std::string& name) const { return numbers.at(name); }
   Span where(const std::string& name) const { return places.at(name); }
@@ -86,6 +90,7 @@ class Sinumerik final : public Dialect {
   void note_motion(Emitter& m, Motion& motion) override;
   bool lines_follow(const BlockContext& m) const override;
   ArcRule arc_rule(const BlockContext& m) const override;
+  SurfaceSpeed surface_speed(const BlockContext& m) const override;
   void refresh_frames(Emitter& m) override;
   void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) override;
 
@@ -106,6 +111,7 @@ class Sinumerik final : public Dialect {
   Level& level() { return memory.levels.back(); }
 
   Status set_programmable(Emitter& m, const Frame& frame, Span where);
+  void place_in_space(Emitter& m);
   Status activate_edge(Emitter& m, std::uint32_t edge, Span where);
   /// Returns false if the tool table has tools, and this one is not among them (spec/sinumerik 5).
   bool knows_tool(const BlockContext& m, double tool) const;
@@ -132,6 +138,12 @@ class Sinumerik final : public Dialect {
               std::vector<std::shared_ptr<Variable>> references, bool has_arguments, std::uint32_t times, Span where);
   Status procedure(Interpreter& m, const NamedBlock& block);
   Status leave(Interpreter& m, Span where);
+  /// RET("LABEL"): the caller goes on at the label (spec/sinumerik 9.2).
+  Status jump_in_caller(Interpreter& m, const std::string& label, Span where);
+  /// CALL BLOCK A TO B: a part of the present program, as a subprogram (spec/sinumerik 9.1).
+  Status call_part(Interpreter& m, const NamedBlock& block);
+  /// EXECSTRING("…"): executes a text as a block (spec/sinumerik 9.4).
+  Result<bool> execute_text(Interpreter& m, const std::string& text, Span where);
   Status call_item(Interpreter& m, const NamedBlock& block, const NamedItem& item, std::uint32_t times, bool modal);
   Status define(Interpreter& m, const NamedBlock& block);
   /// Makes the variable of a row of DEF, with its initial values (spec/sinumerik 6.1).
@@ -153,6 +165,7 @@ class Sinumerik final : public Dialect {
   Status frame_statement(Interpreter& m, const NamedBlock& block);
   Result<Value> frame_function(const std::string& name, const std::vector<Value>& operands, const BlockContext& m, Span where);
   // system_variables.cpp
+  Frame basic_frame(const BlockContext& m) const;
   Result<Value> read_system(BlockContext& m, const std::string& name, const std::vector<Value>& indices, Span where);
   Status write_system(Interpreter& m, const std::string& name, const std::vector<Value>& indices, const Value& value, Span where);
 
@@ -179,8 +192,15 @@ class Sinumerik final : public Dialect {
   std::vector<WrittenValue> written_;  // values that the block has replaced, in their order
   bool kept_ = false;
   Axes previous_{};              // work coordinates before the motion that comes next
+  bool executes_text_ = false;   // within EXECSTRING
+  std::string executed_;         // its text, in the place of the block
   bool circle_by_name_ = false;  // the block is CIP or CT, executed as an arc
 };
+
+/// Returns a component of a frame: TR, FI, RT, SC, MI of an axis (spec/sinumerik 11.4).
+///   alarms  frame_component
+Result<double> component_of(const Frame& frame, std::size_t axis, const std::string& name, Span where);
+Status set_component_of(Frame& frame, std::size_t axis, const std::string& name, double value, Span where);
 
 /// Returns the G code at a place of its group, as G[8]=2 names G54 (spec/sinumerik 3.1, 4.1); nullopt if Kadr does not list it.
 std::optional<int> code_at_place(double group, double place);

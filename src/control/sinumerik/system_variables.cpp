@@ -46,7 +46,12 @@ double place_in_group(const BlockContext& m, double group) {
   return 0;
 }
 
-Result<double> component(const Frame& frame, std::size_t axis, const std::string& name, Span where) {
+constexpr int lengths[] = {3, 4, 5};
+constexpr int most_markers = 1000;  // INFERRED: MD28256, MD28254 of the builder
+
+}  // namespace
+
+Result<double> component_of(const Frame& frame, std::size_t axis, const std::string& name, Span where) {
   if (name == "TR") return frame.shift[axis];
   if (name == "FI") return frame.fine[axis];
   if (axis < 3 && (name == "RT" || name == "SC" || name == "MI")) {
@@ -58,7 +63,7 @@ Result<double> component(const Frame& frame, std::size_t axis, const std::string
   return fail(alarm(AlarmId::frame_component, where, std::string_view(name)));
 }
 
-Status set_component(Frame& frame, std::size_t axis, const std::string& name, double value, Span where) {
+Status set_component_of(Frame& frame, std::size_t axis, const std::string& name, double value, Span where) {
   if (name == "TR") frame.shift[axis] = value;
   else if (name == "FI") frame.fine[axis] = value;
   else if (axis < 3 && (name == "RT" || name == "SC" || name == "MI")) {
@@ -72,15 +77,6 @@ Status set_component(Frame& frame, std::size_t axis, const std::string& name, do
   }
   return {};
 }
-
-struct FrameAccess {
-  Frame* frame = nullptr;
-  std::size_t indices = 0;  // number of indices before the axis and the component
-};
-
-constexpr int lengths[] = {3, 4, 5};
-
-}  // namespace
 
 std::optional<int> code_at_place(double group, double place) {
   if (!(group >= 1 && group <= 100) || !(place >= 1 && place <= 1000) || place != std::round(place)) return std::nullopt;
@@ -97,6 +93,12 @@ std::optional<std::size_t> Sinumerik::axis_named(const BlockContext& m, std::str
   return static_cast<std::size_t>(found - m.axis_names.begin());
 }
 
+Frame Sinumerik::basic_frame(const BlockContext& m) const {
+  Frame frame;
+  frame.shift = m.tables.common;
+  return frame;
+}
+
 // NOLINTNEXTLINE(readability-function-size): one branch per variable
 Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, const std::vector<Value>& indices, Span where) {
   const auto unknown = [&] { return fail(alarm(AlarmId::name_unknown, where, std::string_view(name))); };
@@ -108,7 +110,7 @@ Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, c
     if (indices.size() == first) return frame_value(frame);
     const auto of = axis(first);
     if (!of || indices.size() != first + 2) return unknown();
-    const auto value = component(frame, *of, indices[first + 1].text, where);
+    const auto value = component_of(frame, *of, indices[first + 1].text, where);
     if (!value) return fail(value.error());
     return real(*value);
   };
@@ -118,20 +120,46 @@ Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, c
     if (!(n >= 0) || n >= double{settable_frames}) return fail(alarm(AlarmId::index_range, where, std::string_view(name), n));
     return of_frame(memory.settable[static_cast<std::size_t>(n)], 1);
   }
+  if (name == "$P_CHBFR" || name == "$P_NCBFR") {
+    if (index(0) != 0 || name == "$P_NCBFR") return of_frame(Frame{}, 1);
+    return of_frame(basic_frame(m), 1);
+  }
+  if (name == "$P_BFRAME" || name == "$P_ACTBFRAME") return of_frame(basic_frame(m), 0);
   if (name == "$P_IFRAME") return of_frame(memory.active, 0);
   if (name == "$P_PFRAME") return of_frame(memory.programmable, 0);
-  if (name == "$P_ACTFRAME") return of_frame(chained(memory.active, memory.programmable), 0);
+  if (name == "$P_ACTFRAME")
+    return of_frame(chained(basic_frame(m), chained(memory.active, chained(memory.swivel, memory.programmable))), 0);
   if (const auto of = axis(0); of && indices.size() == 1) {
     if (name == "$AA_IW" || name == "$P_EP") return real(m.position.programmed[*of] * ((m.modal.diameter >> *of & 1U) != 0 ? 2 : 1));
     if (name == "$AA_IM") return real(m.position.machine[*of]);
     if (name == "$AA_IB") return real(m.position.machine[*of] - m.frames.length[*of]);
     return unknown();
   }
+  if (name.starts_with("$P_AXN") && name.size() == 7 && name[6] >= '1' && name[6] <= '3')
+    return axis_value(m.axis_names[static_cast<std::size_t>(name[6] - '1')]);
+  if (name == "$P_TOOLP") return integer(m.modal.tool_selected);
+  if (name == "$P_GWPS") return boolean(m.modal.surface_speed);
+  if (name == "$AC_MARKER" || name == "$AC_PARAM") {
+    const double n = index(0);
+    if (!(n >= 0) || n >= double{most_markers}) return fail(alarm(AlarmId::index_range, where, std::string_view(name), n));
+    const auto found = memory.stored.find({name, static_cast<int>(n)});
+    const double value = found == memory.stored.end() ? 0.0 : found->second;
+    return name == "$AC_MARKER" ? integer(value) : real(value);
+  }
+  if (name == "$P_PROG") {
+    const double n = indices.empty() ? static_cast<double>(memory.levels.size() - 1) : index(0);
+    if (!(n >= 0) || n >= static_cast<double>(memory.levels.size())) return text_value({});
+    return text_value(memory.levels[static_cast<std::size_t>(n)].name);
+  }
   if (name == "$P_TOOLNO") return integer(m.modal.tool);
   if (name == "$P_TOOL") return integer(memory.edge);
   if (name == "$P_TOOLR") return real(m.radius_in_force());
-  if (name == "$P_TOOLL" && index(0) == 1) return real(m.frames.length[m.modal.axes.normal]);
-  if (name == "$P_F") return real(m.modal.feed);
+  if (name == "$P_TOOLL" && index(0) >= 1 && index(0) <= 3) {
+    const PlaneAxes plane = m.modal.axes;  // length 2 is that of the second axis of the plane, length 3 that of the first (13.1)
+    const std::size_t by_number[] = {plane.normal, plane.second, plane.first};
+    return real(m.frames.length[by_number[static_cast<std::size_t>(index(0)) - 1]]);
+  }
+  if (name == "$P_F") return real(m.modal.feed * 100 / memory.override_percent);
   if (name == "$P_S" && (indices.empty() || index(0) == 1)) return real(m.modal.rpm);
   if (name == "$P_SDIR" && (indices.empty() || index(0) == 1))
     return integer(m.modal.spindle == SpindleDir::cw ? 3 : m.modal.spindle == SpindleDir::ccw ? 4 : 5);
@@ -168,7 +196,7 @@ Status Sinumerik::write_system(Interpreter& m, const std::string& name, const st
     const auto of = indices.size() == first + 2 && indices[first].type == Type::axis ? axis_named(m, indices[first].text) : std::nullopt;
     if (!of) return unknown();
     if (!value.is_number()) return fail(alarm(AlarmId::conversion_impossible, where, name_of(value.type), "REAL"));
-    return set_component(frame, *of, indices[first + 1].text, value.number, where);
+    return set_component_of(frame, *of, indices[first + 1].text, value.number, where);
   };
   if (name == "$P_UIFR") {
     const double n = index(0);
@@ -177,6 +205,14 @@ Status Sinumerik::write_system(Interpreter& m, const std::string& name, const st
     KADR_TRY(into(frame, 1));
     if (!is_rotation(frame.linear)) return fail(alarm(AlarmId::not_available, where, "$P_UIFR SC, MI"));
     assign_settable(static_cast<std::size_t>(n), frame);
+    return {};
+  }
+  if (name == "$AC_MARKER" || name == "$AC_PARAM") {
+    const double n = index(0);
+    if (!(n >= 0) || n >= double{most_markers}) return fail(alarm(AlarmId::index_range, where, std::string_view(name), n));
+    const auto fits = converted(value, name == "$AC_MARKER" ? Type::integer : Type::real, where);
+    if (!fits) return fail(fits.error());
+    memory.stored[{name, static_cast<int>(n)}] = fits->number;
     return {};
   }
   if (name == "$P_PFRAME") {

@@ -162,7 +162,19 @@ class BlockParser : public NamedDeclarations {
     item.where = span(begin, at_);
     const bool text_follows = name == "CALL" || name == "PCALL" || name == "EXTCALL" || name == "ISOCALL";
     skip();
-    if (text_follows && !at_end() && name_here() != "BLOCK") KADR_TRY(expression(item.value));
+    const bool by_path = name == "PCALL" && !at_end() && peek() != '"';
+    if (by_path) {  // PCALL /_N_SPF_DIR/_N_NAME_SPF(args): the path is written without quotation marks
+      const std::size_t from = at_;
+      while (!at_end() && (continues_name(peek()) || peek() == '/' || peek() == '.')) ++at_;
+      item.text = std::string(text_.substr(from, at_ - from));
+    } else if (text_follows && !at_end() && name_here() != "BLOCK") {
+      KADR_TRY(expression(item.value));
+    }
+    if (skip(); name == "PCALL" && peek() == '(') {
+      item.has_arguments = true;
+      KADR_TRY(arguments(item.arguments));
+      item.where = span(begin, at_);
+    }
     const bool labels = name == "REPEAT" || name == "REPEATB" || name == "BLOCK" || name == "TO";
     if (labels) {
       for (skip(); begins_name(peek()); skip()) {
