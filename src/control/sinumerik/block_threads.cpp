@@ -50,7 +50,7 @@ Status BlockRun::thread() {
   const double lead = std::fabs(block_.find(letter)->value) * m_.unit_scale();
   if (!(lead > 0)) return fail(alarm(AlarmId::thread_definition, block_.where));
   const bool turns = m_.modal.spindle == SpindleDir::cw || m_.modal.spindle == SpindleDir::ccw;
-  if (!turns || !(m_.modal.rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, block_.where));
+  if (!turns || !(m_.modal.rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, block_.where, "G33"));
   KADR_TRY(m_.straight(MotionKind::thread, to, named));
   Motion& motion = std::get<Motion>(m_.batch->back().what);
   motion.own_override = motion.no_hold = true;
