@@ -22,18 +22,17 @@ constexpr std::string_view accepted[] = {
 
 /// Names of the control that Kadr does not execute.
 constexpr std::string_view refused[] = {
-    "ASPLINE",  "BSPLINE",  "CSPLINE",  "POLY",     "INVCW",    "INVCCW",  "REPOSL",  "REPOSQ",  "REPOSH",  "REPOSA",   "REPOSLA",
-    "REPOSQA",  "REPOSHA",  "ROTS",     "AROTS",    "CROTS",    "CFTCP",   "CFIN",    "KONT",    "KONTT",   "KONTC",    "BTAN",
-    "BAUTO",    "ETAN",     "EAUTO",    "CUT2DF",   "CUT3DC",   "CUT3DF",  "CUT3DFS", "CUT3DFF", "ORIMKS",  "FTOCON",   "OSC",
-    "OSS",      "OSSE",     "OSD",      "OST",      "SON",      "PON",     "LFON",    "PTP",     "PTPG0",   "ORIEULER", "ORIRPY",
-    "ORIRPY2",  "ORIVECT",  "ORIAXES",  "ORIVIRT1", "PAROT",    "TOWSTD",  "TOFRAME", "TOROT",   "ORIROTA", "RTLIOF",   "WHEN",
-    "WHENEVER", "FROM",     "EVERY",    "DO",       "ID",       "IDS",     "INIT",    "START",   "WAITM",   "WAITE",    "SETM",
-    "ISOCALL",  "TRAORI",   "TRANSMIT", "TRACYL",   "TRAANG",   "TRAILON", "TRAILOF", "LEADON",  "LEADOF",  "EGON",     "EGDEF",
-    "COUPON",   "COUPDEF",  "PRESETON", "ADDFRAME", "MEAS",     "MEAW",    "WRITE",   "READ",    "DELETE",  "ISFILE",   "RETB",
-    "GETT",     "POSP",     "FZ",       "FD",       "FDA",      "OFFN",    "DISC",    "LEAD",    "TILT",    "MEAFRAME", "ANG1",
-    "ANG2",     "DISR",     "DISCL",    "DISRP",    "FAD",      "DITS",    "DITE",    "SUPD",    "CALCDAT", "REP",      "SET",
-    "TLIFT",    "PUNCHACC", "CPON",     "CPDEF",    "AXTOCHAN", "GET",     "GETD",    "RELEASE", "OVRRAP",  "OVRA",     "FL",
-    "FGREF",    "FRC",      "FRCM"};
+    "ASPLINE",  "BSPLINE",  "CSPLINE",  "POLY",     "INVCW",   "INVCCW",  "REPOSL",  "REPOSQ",  "REPOSH",  "REPOSA",   "REPOSLA",
+    "REPOSQA",  "REPOSHA",  "ROTS",     "AROTS",    "CROTS",   "CFTCP",   "CFIN",    "KONT",    "KONTT",   "KONTC",    "BTAN",
+    "BAUTO",    "ETAN",     "EAUTO",    "CUT2DF",   "CUT3DC",  "CUT3DF",  "CUT3DFS", "CUT3DFF", "ORIMKS",  "FTOCON",   "OSC",
+    "OSS",      "OSSE",     "OSD",      "OST",      "SON",     "PON",     "LFON",    "PTP",     "PTPG0",   "ORIEULER", "ORIRPY",
+    "ORIRPY2",  "ORIVECT",  "ORIAXES",  "ORIVIRT1", "PAROT",   "TOWSTD",  "TOFRAME", "TOROT",   "ORIROTA", "RTLIOF",   "WHEN",
+    "WHENEVER", "FROM",     "EVERY",    "DO",       "ID",      "IDS",     "INIT",    "START",   "WAITM",   "WAITE",    "SETM",
+    "ISOCALL",  "TRAORI",   "TRANSMIT", "TRACYL",   "TRAANG",  "TRAILON", "TRAILOF", "LEADON",  "LEADOF",  "EGON",     "EGDEF",
+    "COUPON",   "COUPDEF",  "PRESETON", "ADDFRAME", "MEAS",    "MEAW",    "WRITE",   "READ",    "DELETE",  "ISFILE",   "RETB",
+    "GETT",     "POSP",     "FZ",       "FD",       "FDA",     "OFFN",    "DISC",    "LEAD",    "TILT",    "MEAFRAME", "ANG1",
+    "ANG2",     "DISRP",    "DITS",     "DITE",     "SUPD",    "CALCDAT", "REP",     "SET",     "TLIFT",   "PUNCHACC", "CPON",
+    "CPDEF",    "AXTOCHAN", "GET",      "GETD",     "RELEASE", "OVRRAP",  "OVRA",    "FL",      "FGREF",   "FRC",      "FRCM"};
 
 }  // namespace
 
@@ -53,6 +52,15 @@ Status BlockRun::code_word(const NamedItem& item, char letter, double code) {
     case 332: tapping_ = true; return {};
     case 33: own_.memory.motion = NamedMotion::thread; return {};
     case 63: chuck_ = true; return {};
+    case 147:
+    case 247:
+    case 347:
+    case 148:
+    case 248:
+    case 348: approach_ = static_cast<int>(code); return {};
+    case 140: return {};
+    case 340:
+    case 341: own_.memory.approach_in_plane = code == 341; return {};
     case 70: feed_unit_ = 1; break;
     case 71: feed_unit_ = 0; break;
     case 700:

@@ -261,7 +261,8 @@ Status BlockRun::long_word(const NamedItem& item) {
     if (name == "CTOL") own_.memory.tolerance = std::max(0.0, value->number) * m_.unit_scale();
     return {};
   }
-  constexpr std::string_view stored[] = {"CR", "AR", "AP", "RP", "TURN", "CHR", "CHF", "RND", "RNDM", "FP", "ANG", "SF"};
+  constexpr std::string_view stored[] = {"CR",   "AR", "AP",  "RP", "TURN", "CHR",   "CHF", "RND",
+                                         "RNDM", "FP", "ANG", "SF", "DISR", "DISCL", "FAD"};
   if (!among(stored, name)) return fail(alarm(AlarmId::name_unknown, item.where, std::string_view(name)));
   if (!item.arguments.empty()) return unknown(item);
   const auto value = number_of(item);

@@ -104,6 +104,23 @@ class BlockRun {
   Status begin_chuck();
   void orient(double angle);
   Status corner_words() const;
+
+  // Smooth approach and retraction (block_approach.cpp).
+  struct Way {
+    double reach = 0, clearance = 0, down = 0;  // DISR, DISCL in mm; FAD in mm/min
+    bool rapid = false, has_code = false;
+  };
+  struct Ahead {
+    std::optional<int> motion;
+    std::optional<bool> absolute;
+    std::map<std::string, std::pair<double, WordForm>> words;
+  };
+  Status approach();
+  Status arrive(const Way& way, bool left);
+  Status retract(const Way& way);
+  Status set_axis(std::size_t axis, double value);
+  std::optional<Ahead> words_ahead(Block& block);
+  Result<Vec2> direction_after(const Axes& from);
   /// CIP and CT: worked out as G2 or G3 with a centre (spec/sinumerik 12.2).
   Status named_arc();
 
@@ -117,6 +134,7 @@ class BlockRun {
   int limits_ = 0;  // 25, 26
   int pole_ = 0;
   int shift_ = 0;                 // 58, 59
+  int approach_ = 0;              // G147 to G348
   bool chuck_ = false;            // G63
   std::optional<double> orient_;  // M19
   std::uint32_t spindles_ = 0;    // spindles whose speed or direction the block changes, one bit each

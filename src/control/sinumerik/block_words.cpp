@@ -38,6 +38,7 @@ Result<bool> BlockRun::finish() {
     const std::uint32_t edge = *std::exchange(own_.words.edge, std::nullopt);
     KADR_TRY(own_.activate_edge(m_, edge, own_.words.edge_where));
   }
+  if (approach_ != 0) KADR_TRY(approach());
   KADR_TRY(machine_words());
   KADR_TRY(named_arc());
   return block_.word_count == 0 && own_.words.numbers.empty() && !own_.words.returns;

@@ -176,6 +176,14 @@ Status Sinumerik::after_block(Interpreter& m) {
     m.modal.spindle = now.spindle, m.modal.rpm = now.rpm, m.modal.tool = now.tool, m.modal.tool_selected = now.tool_selected;
     m.modal.offset_number = now.offset_number, m.modal.mist = now.mist, m.modal.flood = now.flood;
   }
+  for (const ApproachStep& step : std::exchange(words.retraction, {})) KADR_TRY(approach_step(m, step));
+  if (words.motion_before) {
+    const MotionBefore before = *std::exchange(words.motion_before, std::nullopt);
+    m.modal.motion = before.motion;
+    m.modal.motion_row = before.motion_row;
+    for (std::size_t g = 1; g < m.def.groups.size(); ++g)
+      if (m.def.groups[g].name == "1") m.modal.rows[g] = before.rows[g];
+  }
   if (words.block_feed) {
     m.modal.feed = *std::exchange(words.block_feed, std::nullopt);
     m.modal.feed_known = words.block_feed_known;
@@ -224,6 +232,7 @@ bool Sinumerik::end_program(Interpreter& m) {
   memory.rounding = memory.tolerance = m.modal.blend_tolerance = 0;
   memory.feed_in_mm = false;
   memory.override_percent = 100;
+  memory.approach_in_plane = false;
   memory.surface_most = memory.speed_least = memory.speed_most = 0;
   memory.programmable = memory.swivel = {};
   memory.in_space = false;

@@ -74,6 +74,7 @@ struct Modes {
   double tolerance = 0;                     // CTOL, CYCLE832: of G642 to G645, mm; 0: none
   std::array<double, 10> speeds{};          // S2=, S3= …, rev/min, by the number of the spindle
   std::array<SpindleDir, 10> directions{};  // M2=, M3= …
+  bool approach_in_plane = false;           // G341; false: G340
   double override_percent = 100;            // OVR
   double surface_most = 0;                  // LIMS, rev/min; 0: none
   double speed_least = 0, speed_most = 0;   // G25 S, G26 S, rev/min; 0: none

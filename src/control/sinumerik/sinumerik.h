@@ -20,6 +20,23 @@
 
 namespace kadr::sinumerik {
 
+/// A step of a smooth approach or retraction, in programmed coordinates; an arc if `turns` is not 0.
+struct ApproachStep {
+  Vec2 to{};
+  double height = 0;
+  double feed = 0;  // mm/min; 0: rapid
+  Vec2 centre{};
+  double turns = 0;
+  bool ccw = false;
+};
+
+/// The motion in force before a block that executes another one.
+struct MotionBefore {
+  MotionMode motion = MotionMode::none;
+  std::int16_t motion_row = -1;
+  decltype(Modal::rows) rows{};
+};
+
 /// What the words of the block say besides the words of the table.
 struct BlockWords {
   std::array<WordForm, 26> forms{};       // of axis words and centres, by letter
@@ -35,7 +52,9 @@ struct BlockWords {
   std::optional<Modal> chuck;        // G63: the modes before its block
   std::optional<double> block_feed;  // FB: the feed after its block
   bool block_feed_known = false;
-  bool moved = false;  // the block has moved an axis
+  std::optional<MotionBefore> motion_before;  // G147 to G348
+  std::vector<ApproachStep> retraction;       // after the block's own motion
+  bool moved = false;                         // the block has moved an axis
   bool has(const std::string& name) const { return numbers.contains(name); }
   double number(const std::string& name) const { return numbers.at(name); }
   Span where(const std::string& name) const { return places.at(name); }
@@ -112,6 +131,7 @@ class Sinumerik final : public Dialect {
 
   Status set_programmable(Emitter& m, const Frame& frame, Span where);
   void place_in_space(Emitter& m);
+  Status approach_step(Emitter& m, const ApproachStep& step);
   Status activate_edge(Emitter& m, std::uint32_t edge, Span where);
   /// Returns false if the tool table has tools, and this one is not among them (spec/sinumerik 5).
   bool knows_tool(const BlockContext& m, double tool) const;
