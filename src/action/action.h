@@ -147,11 +147,22 @@ struct FrameChange {
   std::shared_ptr<const Axes> shifted{};
 };
 
+/// Its copies and moves are compiled once, in action.cpp: an instance for twenty alternatives in each file costs the compiler seconds.
 struct Action {
+  using What =
+      std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
+                   FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>;
+
+  Action();
+  Action(Origin by, What that);
+  Action(const Action&);
+  Action(Action&&) noexcept;
+  Action& operator=(const Action&);
+  Action& operator=(Action&&) noexcept;
+  ~Action();
+
   Origin origin;
-  std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
-               FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>
-      what;
+  What what;
 };
 
 /// A batch of emitted actions. clear() keeps the elements in memory, so that a long run does not allocate them again.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "config/control/guess_section.h"
 #include "config/program_names.h"
 #include "config/read_file.h"
 #include "config/tools/toml_tools.h"

@@ -5,7 +5,7 @@
 
 #include "config/control/control_file.h"
 #include "config/control/control_loader.h"
-#include "config/control/guess_rows.h"
+#include "config/control/guess_section.h"
 #include "texts/control_file.h"
 
 namespace kadr {

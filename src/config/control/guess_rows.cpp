@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "config/control/control_file.h"
+#include "config/control/guess_section.h"
 #include "config/tools/toml_tools.h"
 #include "texts/control_file.h"
 

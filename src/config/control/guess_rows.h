@@ -2,12 +2,9 @@
 // The evidence by which programs are recognised. For a control, it is the section [guess] of the control's file; for a program language
 // that Kadr does not read, it is in controls/dialects.toml.
 
-#include <toml++/toml.h>
-
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <tl/expected.hpp>
 #include <utility>
 #include <vector>
 
@@ -58,10 +55,6 @@ struct LanguageReader {
 /// A mark with at least this weight identifies the control by itself. A program language is identified if the weights of all its evidence
 /// add up to at least this number.
 inline constexpr double decisive_weight = 10;
-
-/// Reads a section [guess].
-///   returns  on failure, an error sentence: a weight that is not a number from -20 to 20 or is 0, or an unknown trait
-tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, const std::string& file);
 
 /// Returns the rows of the built-in controls, which are read once; add_rows_of_language() has added to them.
 const std::vector<GuessRows>& built_in_guess_rows();
