@@ -107,6 +107,28 @@ test("a cut is of the text that is shown: it is run first, unless it was run", a
   expect(asked()).toEqual(["open", "cut", "open", "cut"]);
 });
 
+test("a cut that a run of a new text ends is made after this run", async () => {
+  const { app, socket, answer } = await run_over();
+  const cuts = (): number => socket.sent.filter((q) => q.do === "cut").length;
+  const follow = async (text: string): Promise<void> => {
+    app.set_text(text);
+    void app.follow_text();
+    await settle();
+    await answer("open", { file: "a.nc", text, digest: "1" });
+    socket.say({ event: "done", seconds: 100, blocks: 50, marks: [] });
+    await settle();
+  };
+  app.opened!.editable = true;
+  void app.run_cut({ stock: "box:0,0,0,1,1,1", tools: [] });
+  await settle();
+  expect(cuts()).toBe(1);
+  await follow("G1 X2");
+  expect(cuts()).toBe(2);
+  socket.say({ event: "cut", marks: [] });
+  await follow("G1 X3");
+  expect(cuts()).toBe(2);
+});
+
 test("what is typed while the session opens the same program is not lost", async () => {
   const { app, socket, answer } = await run_over();
   app.opened!.editable = true;

@@ -10,7 +10,7 @@ const most_problems = 10_000; // more than anybody reads; the rest repeats
 
 export abstract class AppResults extends AppTime {
   private last_cut: CutQuestion | null = null;
-  protected recut = false; // a part that existed before the connection was lost is cut once more
+  protected recut = false; // a part that existed before the connection was lost, or that a run has ended, is cut once more
   // A program may cause thousands of warnings in a second: the panes draw a few times a second at most.
   private tell_problems = spaced(100, () => this.on_problems.emit());
   private tell_findings = spaced(100, () => this.on_cut.emit(null));
@@ -60,7 +60,8 @@ export abstract class AppResults extends AppTime {
     this.path.clear();
     this.progress = this.cut = null;
     this.problems = [];
-    if (!live) this.findings = [];
+    if (live) this.recut ||= this.cutting;
+    else this.findings = [];
     this.cutting = this.cut_ready = false;
     this.on_part.emit(null);
     this.on_cut.emit(null);

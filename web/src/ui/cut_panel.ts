@@ -26,7 +26,9 @@ export class CutPanel {
   private known = false;
   private of: string | null = null; // the program that blank and tools belong to
   private touched = false; // by the user
-  private start = h("div", { class: "row cut-start" });
+  private run_row = h("div", { class: "cut-run" });
+  private run_shown = ""; // state of the button in it
+  private choices = h("div", { class: "row cut-choices" });
   private form = h("div");
   private told = h("div", { "aria-live": "polite" });
   private part: PartAnswer | null = null;
@@ -38,7 +40,7 @@ export class CutPanel {
     jump: (p: Problem) => void,
   ) {
     this.hit = new CutProblems(app, jump);
-    this.element.append(this.start, this.told, this.form);
+    this.element.append(h("div", { class: "row cut-start" }, this.run_row, this.choices), this.told, this.form);
     this.element.addEventListener("change", () => {
       this.touched = true;
     });
@@ -133,8 +135,7 @@ export class CutPanel {
         }),
       );
     fill(
-      this.start,
-      this.known && h("div", { class: "cut-run" }),
+      this.choices,
       this.known &&
         h(
           "label",
@@ -151,7 +152,7 @@ export class CutPanel {
         ),
     );
     if (this.known && this.app.hello?.may_change && this.keep)
-      this.start.append(button(t("cut_keep"), () => void this.keep_all(), { title: t("cut_keep_long") }));
+      this.choices.append(button(t("cut_keep"), () => void this.keep_all(), { title: t("cut_keep_long") }));
     this.draw_run();
     this.draw_told(null);
     this.show();
@@ -161,15 +162,18 @@ export class CutPanel {
     if (this.known) this.shown(extent_of(this.stock), this.tools, this.inserts);
   }
 
+  /// A button is replaced only by another one: one that is replaced while it is pressed hears no click.
   private draw_run(): void {
-    const e = this.start.querySelector(".cut-run");
-    if (e)
-      fill(
-        e,
-        this.app.cutting
+    const shown = this.known ? `${this.app.cutting} ${!this.app.done} ${t("cut")}` : "";
+    if (shown === this.run_shown) return;
+    this.run_shown = shown;
+    fill(
+      this.run_row,
+      this.known &&
+        (this.app.cutting
           ? button(t("stop"), () => this.app.stop(), { class: "stop" })
-          : button(t("cut"), () => this.run(), { class: "main", disabled: !this.app.done }),
-      );
+          : button(t("cut"), () => this.run(), { class: "main", disabled: !this.app.done })),
+    );
   }
 
   private fixtures_form(): HTMLElement {
