@@ -4,7 +4,7 @@ import { looks_at, until } from "./browser.mjs";
 /// `only`: some of the steps run alone, without those before them.
 export function at_panel({ kadr, page, only }) {
   const { count, ended } = looks_at(() => page);
-  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`), 60_000);
+  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`));
   const key = (name) => page.click(`.operator-keys button:has-text('${name}')`);
 
   /// Opens a program by the names of its folders and its own.
@@ -23,7 +23,7 @@ export function at_panel({ kadr, page, only }) {
   }
   async function switch_off() {
     await key("Switch off");
-    await until("it is off", () => count(".operator button:has-text('Switch on')"), 20_000);
+    await until("it is off", () => count(".operator button:has-text('Switch on')"));
   }
   /// The emergency stop, and back out of it.
   async function stop_and_reset() {

@@ -1,12 +1,11 @@
 // The operator's screen with a machine that is on, for the steps that move its axes: opens it, reads its figures.
 import { looks_at, must, until } from "./browser.mjs";
 
-const screen = ".operator-screen",
-  slow = 60_000; // ms: on a busy machine a page takes long to load
+const screen = ".operator-screen";
 
 export function at_screen({ kadr, page }) {
   const { count, text } = looks_at(() => page);
-  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.screen-head .mode.${wanted}`), 60_000);
+  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.screen-head .mode.${wanted}`));
   const tab = (name) => page.click(`${screen} [data-tab=op_${name}]`);
   const key = (name) => page.click(`.big-keys button:has-text('${name}')`);
 
@@ -18,19 +17,15 @@ export function at_screen({ kadr, page }) {
     const row = page.locator(`.file-row:has(.file-name:text-is("${name}"))`);
     const is_open = async () => (await text(".screen-head .file")) === name;
     // The program that was open last may arrive meanwhile, and its folder with it.
-    await until(
-      name,
-      async () => {
-        if (await is_open()) return true;
-        if (!(await page.isVisible(".program-host .files"))) await page.click(".screen-head .file");
-        if (await row.count()) await row.click({ timeout: 3000 }).catch(() => {});
-        else if (await count(".crumbs button")) await page.click(".crumbs button >> nth=0");
-        return until("it is open", is_open, 5000).catch(() => false); // clicked again, it would be opened again
-      },
-      slow,
-    );
+    await until(name, async () => {
+      if (await is_open()) return true;
+      if (!(await page.isVisible(".program-host .files"))) await page.click(".screen-head .file");
+      if (await row.count()) await row.click({ timeout: 3000 }).catch(() => {});
+      else if (await count(".crumbs button")) await page.click(".crumbs button >> nth=0");
+      return until("it is open", is_open, 5000).catch(() => false); // clicked again, it would be opened again
+    });
     const has_run = () => page.evaluate(() => /ended|stopped/.test(document.querySelector(".run-told")?.className));
-    await until("its path", has_run, slow);
+    await until("its path", has_run);
     const on = page.locator(".big-keys button:has-text('Switch on'), .big-keys button:has-text('Load')");
     if (await on.first().isVisible()) await on.first().click();
     await mode("standing");

@@ -17,6 +17,9 @@ const flags = [
   "--enable-unsafe-swiftshader",
 ];
 
+/// How long a test waits for something that comes, in ms: long, because a busy machine is slow, not wrong.
+const patience = 180_000;
+
 export async function browser(size = { width: 1600, height: 1000 }) {
   const profile = mkdtempSync(join(tmpdir(), "kadr-browser-"));
   const context = await chromium.launchPersistentContext(profile, {
@@ -28,7 +31,7 @@ export async function browser(size = { width: 1600, height: 1000 }) {
     acceptDownloads: true,
   });
   const page = context.pages()[0] ?? (await context.newPage());
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(patience);
   const errors = [];
   page.on("pageerror", (e) => errors.push(e.message));
   page.on("console", (m) => {
@@ -42,7 +45,7 @@ export async function browser(size = { width: 1600, height: 1000 }) {
 }
 
 /// Waits until `what` gives a true value; throws an error with `name` if it never does.
-export async function until(name, what, ms = 25000) {
+export async function until(name, what, ms = patience) {
   const end = Date.now() + ms;
   for (;;) {
     const got = await what();
@@ -59,7 +62,7 @@ export const must = (yes, what) => {
 export function looks_at(of) {
   const count = (what) => of().locator(what).count();
   const text = (what) => of().locator(what).first().textContent();
-  const ended = () => until("the run's end", () => count(".run-told.ended, .run-told.stopped"), 60000);
+  const ended = () => until("the run's end", () => count(".run-told.ended, .run-told.stopped"));
   const toasts = async () => (await of().locator(".toast").allTextContents()).join(" | ");
   const line_shown = () =>
     of().evaluate(() => {

@@ -25,18 +25,12 @@ export function channel_steps(place) {
       await until("both channels", async () => (await count(".channels .channel")) === 2);
       must(await count("button[aria-label='2:X −']"), "no keys for the axes of channel 2");
       await page.click("button[aria-label='2:X +']");
-      await until(
-        "its axis has moved",
-        async () => ((await page.locator(".channels .channel >> nth=1").textContent()) ?? "").includes("X 1.000"),
-        60_000,
+      await until("its axis has moved", async () =>
+        ((await page.locator(".channels .channel >> nth=1").textContent()) ?? "").includes("X 1.000"),
       );
       await panel.mode("standing");
       await panel.key("Start");
-      await until(
-        "one waits for the other",
-        async () => /M50\d: waits for [12]/.test((await text(".channels")) ?? ""),
-        60_000,
-      );
+      await until("one waits for the other", async () => /M50\d: waits for [12]/.test((await text(".channels")) ?? ""));
       await page.screenshot({ path: join(pictures, "channels.png") });
       const found = ((await text(".channels .channel.waits")) ?? "").match(/Channel (\d).*waits for (\d)/);
       must(found && found[1] !== found[2], `who waits for whom: ${await text(".channels")}`);
@@ -45,18 +39,14 @@ export function channel_steps(place) {
       await page.click(".restart > summary");
       await page.fill(".restart input[aria-label='line']", "10");
       await page.press(".restart input[aria-label='line']", "Enter");
-      await until("a sheet of each channel", () => count(".restart-sheet .restart-beside"), 20_000);
+      await until("a sheet of each channel", () => count(".restart-sheet .restart-beside"));
       must(/Channel 2/.test(await text(".restart-beside")), `whose sheet: ${await text(".restart-beside")}`);
       await page.click(".restart button[aria-label='Goes first: Channel 2']");
       await until("its way is the first", async () => (await text(".restart-beside")).includes("way 1"));
       await page.locator(".restart-beside").evaluate((e) => e.scrollIntoView({ block: "center" }));
       await page.screenshot({ path: join(pictures, "channels_restart.png") });
       await page.click(".restart button:has-text('Go there')");
-      await until(
-        "both stand there",
-        async () => ((await text(".operator-head")) ?? "").includes("At the place"),
-        90_000,
-      );
+      await until("both stand there", async () => ((await text(".operator-head")) ?? "").includes("At the place"));
       await panel.key("Start");
       await panel.mode("running");
       await panel.key("Reset");

@@ -12,7 +12,6 @@ export function convert_steps({ kadr, page, pictures }) {
     await until(
       `an answer for ${to}`,
       async () => (await count(".convert-told .good, .convert-told .error")) === 1 && !(await count(".convert-clock")),
-      60_000,
     );
   };
   const open_with_dialog = async (path) => {
@@ -78,7 +77,7 @@ export function convert_steps({ kadr, page, pictures }) {
       await until("it is in the list", () => count('.file-row .file-name:text-is("plate-linuxcnc.nc")'));
       must(await count("dialog .convert"), "the dialogue has gone");
       await page.click(".convert-written button.main");
-      await until("its name", async () => !(await count("dialog")) && (await text(".topbar .file")) === file, 20_000);
+      await until("its name", async () => !(await count("dialog")) && (await text(".topbar .file")) === file);
       await ended();
       must((await page.locator(".topbar select").first().inputValue()) === "linuxcnc", "another control");
       must(!(await count(".run-told.stopped")), "it does not run");

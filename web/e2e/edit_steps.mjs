@@ -6,8 +6,7 @@ import { looks_at, must, until } from "./browser.mjs";
 export function edit_steps({ kadr, page, pictures }) {
   const { count, text, ended } = looks_at(() => page);
   const content = () => page.locator(".source .cm-content").textContent();
-  const answered = async (what) =>
-    until(what, async () => (await count(".edit-told .good, .edit-told .error")) >= 1, 60_000);
+  const answered = async (what) => until(what, async () => (await count(".edit-told .good, .edit-told .error")) >= 1);
   const open_program = async (path) => {
     await page.goto(kadr.address());
     await page.reload();
@@ -32,7 +31,7 @@ export function edit_steps({ kadr, page, pictures }) {
       await choose("feed");
       await page.fill(".edit [name=percent]", "50");
       await page.selectOption(".edit [name=tool]", "1");
-      await until("F100 in the new text", async () => /F100/.test((await text(".edit .merge")) ?? ""), 60_000);
+      await until("F100 in the new text", async () => /F100/.test((await text(".edit .merge")) ?? ""));
       await answered("the proof");
       must(/nothing else has changed/.test(await text(".edit-told")), `told: ${await text(".edit-told")}`);
       await page.screenshot({ path: join(pictures, "edit_feed.png") });
@@ -64,7 +63,7 @@ export function edit_steps({ kadr, page, pictures }) {
       await choose("reverse");
       await page.fill(".edit [name=from]", "7");
       await page.fill(".edit [name=to]", "9");
-      await until("a refusal", async () => /Z-3/.test((await text(".edit-refused")) ?? ""), 60_000);
+      await until("a refusal", async () => /Z-3/.test((await text(".edit-refused")) ?? ""));
       must(await page.locator(".edit button.main").isDisabled(), "a refused edit can be taken over");
       await page.screenshot({ path: join(pictures, "edit_refused.png") });
       await page.locator(".edit-refused .link").first().click();
@@ -81,7 +80,7 @@ export function edit_steps({ kadr, page, pictures }) {
       await page.selectOption(".edit [name=blocks]", "arc");
       const figures = { from_x: "0", from_y: "0", through_x: "10", through_y: "10", to_x: "20", to_y: "0" };
       for (const [name, value] of Object.entries(figures)) await page.fill(`.edit [name=${name}]`, value);
-      await until("the control has read it", async () => (await count(".edit-told .good")) === 1, 60_000);
+      await until("the control has read it", async () => (await count(".edit-told .good")) === 1);
       must(/G2 .*I10/.test((await text(".edit .block-text")) ?? ""), `written: ${await text(".edit .block-text")}`);
       await page.screenshot({ path: join(pictures, "edit_blocks.png") });
       await page.click(".edit button.main");
@@ -112,18 +111,18 @@ export function edit_steps({ kadr, page, pictures }) {
       await page.keyboard.press("Home");
       await page.keyboard.type("G777 ");
       hands++;
-      await until("the problem", async () => /G777/.test((await text(".problems")) ?? ""), 60_000);
+      await until("the problem", async () => /G777/.test((await text(".problems")) ?? ""));
       for (let i = 0; i < 5; i++) await page.keyboard.press("Backspace");
       hands++;
-      await until("no problem", async () => !/G777/.test((await text(".problems")) ?? ""), 60_000);
+      await until("no problem", async () => !/G777/.test((await text(".problems")) ?? ""));
       await edit("feed");
       await type("percent", "80");
       await page.selectOption(".edit [name=tool]", "1");
       hands++;
-      await until("80 %", async () => /F480/.test((await text(".edit .merge")) ?? ""), 60_000);
+      await until("80 %", async () => /F480/.test((await text(".edit .merge")) ?? ""));
       await click(".edit button.main");
       await edit("mirror");
-      await until("the image", async () => /G42/.test((await text(".edit .merge")) ?? ""), 60_000);
+      await until("the image", async () => /G42/.test((await text(".edit .merge")) ?? ""));
       await click(".edit button:has-text('Show both paths')");
       await click(".edit button.main");
       await until("both edits", async () => /F480/.test(await content()) && /G42/.test(await content()));

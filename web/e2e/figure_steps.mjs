@@ -18,7 +18,7 @@ export function figure_steps({ kadr, page, pictures, only }) {
     if (setup) {
       await page.selectOption(".setup-choice", setup);
       await page.waitForTimeout(300);
-      await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
+      await until("the program without an alarm", () => count(".run-told.ended"));
     }
   }
   const at_end = async () => {

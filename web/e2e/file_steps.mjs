@@ -162,7 +162,7 @@ export function file_steps({ kadr, page, pictures, only }) {
       appendFileSync(on_disk("two.nc"), "(BY SOMEBODY)\n");
       await until("noticed", () => page.locator(".disk-notice").isVisible());
       await page.click(".disk-notice button:has-text('Compare')");
-      await until("compared", async () => /differ|equal/i.test(await text(".compare .note")), 60_000);
+      await until("compared", async () => /differ|equal/i.test(await text(".compare .note")));
       await page.screenshot({ path: join(pictures, "disk.png") });
       await page.click("dialog.docked .dialog-head button");
       await page.click(".disk-notice button:has-text('Take it')");

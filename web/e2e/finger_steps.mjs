@@ -8,7 +8,7 @@ import { looks_at, must, until } from "./browser.mjs";
 export function finger_steps({ kadr, browser, pictures }) {
   let page;
   const { count, ended } = looks_at(() => page);
-  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`), 60_000);
+  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`));
   return {
     async "the panel by fingers"() {
       if (!process.env.KADR) return "skipped: the made-up session has no machine";
@@ -39,11 +39,11 @@ export function finger_steps({ kadr, browser, pictures }) {
         const z = () => position_of(page, "Z", 1);
         const before = await z();
         await page.tap("button[aria-label='Z +']");
-        await until("the axis has moved", async () => Math.abs((await z()) - before - 1) < 0.0025, 60_000); // shown in thousandths
+        await until("the axis has moved", async () => Math.abs((await z()) - before - 1) < 0.0025); // shown in thousandths
         await mode("standing");
         await page.screenshot({ path: join(pictures, "fingers.png") });
         await page.tap(".operator-keys button:has-text('Switch off')");
-        await until("it is off", () => count(".operator button:has-text('Switch on')"), 20_000);
+        await until("it is off", () => count(".operator button:has-text('Switch on')"));
       } finally {
         await context.close();
       }

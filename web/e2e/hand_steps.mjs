@@ -35,10 +35,20 @@ export function hand_steps(place) {
     await page.mouse.move(x, y);
     await page.mouse.wheel(0, by);
   }
-  const hold_key = async (name, until_moved) => {
-    await page.keyboard.down(name);
-    await until_moved();
-    await page.keyboard.up(name);
+  /// Holds a key until `has_moved`. On a busy machine the page renews the motion too late, and the machine stops by itself:
+  /// then the key is pressed again, as a hand would.
+  const hold_key = async (name, has_moved) => {
+    for (let left = 20; ; left--) {
+      await page.keyboard.down(name);
+      const done = await until(`${name} moves its axis`, has_moved, left ? 5000 : 1).then(
+        () => true,
+        (error) => (left ? false : error),
+      );
+      await page.keyboard.up(name);
+      if (done === true) return;
+      if (done) throw done;
+      await screen.mode("standing");
+    }
   };
   const skipped = "skipped: the made-up session has no machine";
 
@@ -144,9 +154,7 @@ export function hand_steps(place) {
       for (const [name, axis, sign] of keys) {
         await screen.rest();
         const before = await screen.position();
-        await hold_key(name, () =>
-          until(`${axis} moves`, async () => sign * ((await screen.position())[axis] - before[axis]) > 1.5),
-        );
+        await hold_key(name, async () => sign * ((await screen.position())[axis] - before[axis]) > 1.5);
         await screen.mode("standing");
         await screen.rest();
         const after = await screen.position(),
@@ -159,23 +167,28 @@ export function hand_steps(place) {
         await page.waitForTimeout(700); // it would be heard of for longer than the machine waits for the page
         must((await screen.position())[axis] === after[axis], `${name}: ${axis} moves after the release`);
       }
-      const slow = await screen.position();
+      const speed = async () =>
+        Number((await page.textContent(".readout dl div:has(dt:text-is('V')) dd")).replace(/[^\d.]/g, ""));
       await page.keyboard.down("Shift");
-      const began = Date.now();
-      await hold_key("ArrowRight", () =>
-        until("X at rapid", async () => (await screen.position()).X - slow.X > 30, 5900),
-      );
-      await page.keyboard.up("Shift"); // at 300 mm/min 30 mm take 6 s
-      must(Date.now() - began < 6000, "Shift is not faster");
+      await hold_key("ArrowRight", async () => (await speed()) > 300); // F is 300 mm/min
+      await page.keyboard.up("Shift");
       await screen.rest();
       const field = page.locator(".mdi-row .mdi").last();
       await field.click();
       const still = await screen.position();
-      await hold_key("ArrowRight", () => page.waitForTimeout(400));
+      await page.keyboard.down("ArrowRight");
+      await page.waitForTimeout(400);
+      await page.keyboard.up("ArrowRight");
       await screen.must_be(still, "an arrow key in a field has moved an axis");
       await field.evaluate((e) => e.blur());
-      await page.keyboard.down("ArrowLeft");
-      await until("X moves", async () => (await screen.position()).X < still.X - 0.5);
+      for (let left = 20; left; left--) {
+        await page.keyboard.down("ArrowLeft");
+        if (await until("X moves", async () => (await screen.position()).X < still.X - 0.5, 5000).catch(() => false))
+          break;
+        must(left > 1, "ArrowLeft does not move X");
+        await page.keyboard.up("ArrowLeft");
+        await screen.mode("standing");
+      }
       await page.evaluate(() => dispatchEvent(new Event("blur"))); // another window is in front: no keyup comes
       await screen.mode("standing");
       await page.keyboard.up("ArrowLeft");

@@ -19,7 +19,7 @@ export function lathe_steps({ kadr, page, pictures, only }) {
     await ended();
     await page.selectOption(".setup-choice", setup);
     await page.waitForTimeout(300);
-    await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
+    await until("the program without an alarm", () => count(".run-told.ended"));
   }
   const to = async (share) => {
     const slider = await page.locator(".slider").boundingBox();
@@ -69,9 +69,9 @@ export function lathe_steps({ kadr, page, pictures, only }) {
       await page.locator(".cut label:has-text('take from') select").selectOption("cut/lathe.toml");
       await until("the tools of the file", async () => (await text(".cut")).includes("entering angle"));
       await page.click(".cut-run button");
-      await until("what is left", () => count(".cut .facts"), 120_000);
+      await until("what is left", () => count(".cut .facts"));
       must(!(await text(".cut .facts")).includes("cell"), "a cell of an exact cut");
-      await until("the part", async () => (await text(".cut")).includes("Cut exactly"), 60_000);
+      await until("the part", async () => (await text(".cut")).includes("Cut exactly"));
       const half = await settled_view();
       await page.screenshot({ path: join(pictures, "lathe_cut.png") });
       await page.selectOption(".scene select[aria-label='Section']", "");

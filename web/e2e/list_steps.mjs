@@ -46,7 +46,7 @@ export function list_steps({ kadr, page, pictures, examples, only }) {
     await page.locator(".cut input.wide").fill(stock);
     await page.locator(".cut input.wide").press("Enter");
     await page.click(".cut-run button.main");
-    await until("what is left", () => count(".cut .facts"), 120_000);
+    await until("what is left", () => count(".cut .facts"));
   };
 
   return {

@@ -52,7 +52,7 @@ export function live_steps({ kadr, page, pictures }) {
       await page.keyboard.press("End");
       await page.keyboard.press("Enter");
       await page.keyboard.type("G4 P100", { delay: 40 });
-      await until("a longer time", async () => (await end_of_time()) > before + 50, 10_000);
+      await until("a longer time", async () => (await end_of_time()) > before + 50);
       await until("it is no longer old", async () => !(await count(".scene.old")));
       must((await page.locator(".cm-content").textContent()).includes("G4 P100"), "a typed character is lost");
       await page.keyboard.type(" (fast typing while it runs, and nothing of it may be lost)", { delay: 15 });

@@ -19,16 +19,12 @@ export function making_steps({ kadr, page, pictures }) {
       await until("the drawings", () => count("dialog option[value$='cover.txt']"));
       await until("the list of drawings has the focus", async () => (await focused()) === "drawing");
       const chosen = () => page.locator("[name=drawing]").inputValue();
-      await until(
-        "the drawing",
-        async () => {
-          await page.keyboard.type(`${folder}cover.txt`);
-          if ((await chosen()) === `${folder}cover.txt`) return true;
-          await page.waitForTimeout(1200); // waits until the input is forgotten: a busy browser was too slow for it
-          return false;
-        },
-        60_000,
-      );
+      await until("the drawing", async () => {
+        await page.keyboard.type(`${folder}cover.txt`);
+        if ((await chosen()) === `${folder}cover.txt`) return true;
+        await page.waitForTimeout(1200); // waits until the input is forgotten: a busy browser was too slow for it
+        return false;
+      });
       const field = async (name, value) => {
         for (let i = 0; i < 30 && (await focused()) !== name; i++) await page.keyboard.press("Tab");
         must((await focused()) === name, `Tab does not reach ${name}`);
@@ -39,12 +35,11 @@ export function making_steps({ kadr, page, pictures }) {
       await field("tool_diameter", "12");
       await field("depth", "8");
       await field("pass", "4");
-      await until("the picture", () => count(".mill-picture:not([hidden])"), 30_000);
+      await until("the picture", () => count(".mill-picture:not([hidden])"));
       await until(
         "two layers",
         async () =>
           (await text(".mill-summary")).includes("2 × Z") && (await text(".mill-summary")).includes("islands: 2"),
-        20_000,
       );
       must(
         await page.evaluate(() => {
@@ -59,12 +54,11 @@ export function making_steps({ kadr, page, pictures }) {
         "it is out of range",
         async () =>
           (await told()).includes("Depth: out of range") && (await count("[name=depth][aria-invalid=true]")) === 1,
-        20_000,
       );
       must(await page.locator(".mill-result button.main").isDisabled(), "what is no program can be saved");
       await field("depth", "8");
       await field("pass", "2,5");
-      await until("four layers", async () => (await text(".mill-summary")).includes("4 × Z"), 20_000);
+      await until("four layers", async () => (await text(".mill-summary")).includes("4 × Z"));
       await until("not dimmed", async () => !(await count("dialog.making")));
       await page.locator("dialog").screenshot({ path: join(pictures, "making.png") });
       for (
@@ -74,7 +68,7 @@ export function making_steps({ kadr, page, pictures }) {
       )
         await page.keyboard.press("Tab");
       await page.keyboard.press("Enter");
-      await until("its name", async () => (await text(".topbar .file")) === `${folder}cover.nc`, 20_000);
+      await until("its name", async () => (await text(".topbar .file")) === `${folder}cover.nc`);
       await until("the dialogue is gone", async () => !(await count("dialog")));
       await ended();
       must(!(await count(".run-told.stopped")), "it does not run");
@@ -87,7 +81,6 @@ export function making_steps({ kadr, page, pictures }) {
         async () =>
           (await page.locator("[name=depth]").inputValue()) === "8" &&
           (await page.locator(".mill-result input").inputValue()).endsWith("cover_2.nc"),
-        30_000,
       );
       await page.fill(".mill-result input", (await page.locator(".mill-result input").inputValue()).replace("_2", ""));
       await page.click(".mill-result button.main");
@@ -100,7 +93,6 @@ export function making_steps({ kadr, page, pictures }) {
       await until(
         "it is open",
         async () => !(await count("dialog")) && (await text(".topbar .file")).endsWith("cover.nc"),
-        20_000,
       );
       await ended();
     },
@@ -109,7 +101,7 @@ export function making_steps({ kadr, page, pictures }) {
       const before = await source(),
         verbs = page.locator(".files-verbs button");
       await verbs.nth(1).click();
-      await until("rows", async () => /\d rows/.test((await text(".tape [role=status]")) ?? ""), 20_000);
+      await until("rows", async () => /\d rows/.test((await text(".tape [role=status]")) ?? ""));
       const tape = await page.locator(".tape input[aria-label='Name of the file']").inputValue();
       must(tape.endsWith("cover.tape"), `the name: ${tape}`);
       await page.screenshot({ path: join(pictures, "to_tape.png") });
@@ -118,13 +110,12 @@ export function making_steps({ kadr, page, pictures }) {
       await verbs.nth(2).click();
       await until("the tape in the list", () => count(`.tape option[value='${tape}']`));
       await page.selectOption(".tape select[aria-label=Tape]", tape);
-      await until("its text", async () => !(await page.locator(".tape-text").isHidden()), 20_000);
+      await until("its text", async () => !(await page.locator(".tape-text").isHidden()));
       await page.screenshot({ path: join(pictures, "from_tape.png") });
       await page.click(".tape button.main");
       await until(
         "it is open",
         async () => !(await count("dialog")) && /cover_\d.nc$/.test(await text(".topbar .file")),
-        20_000,
       );
       await ended();
       await until("the same text", async () => (await source()) === before);

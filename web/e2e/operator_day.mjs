@@ -9,7 +9,7 @@ const most_touches = 24,
 export function operator_day({ kadr, browser, pictures }) {
   let page;
   const { count, text } = looks_at(() => page);
-  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.screen-head .mode.${wanted}`), 90_000);
+  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.screen-head .mode.${wanted}`));
   const work = async (row) =>
     Number((await text(`.readout-positions tbody tr >> nth=${row} >> td >> nth=0`)).replace("\u2212", "-"));
   return {
@@ -71,11 +71,7 @@ export function operator_day({ kadr, browser, pictures }) {
         await mode("standing");
 
         await act("start", key("Start"));
-        await until(
-          "M0 with its reason",
-          async () => ((await text(".notice")) ?? "").includes("CLAMP THE PART"),
-          60_000,
-        );
+        await until("M0 with its reason", async () => ((await text(".notice")) ?? "").includes("CLAMP THE PART"));
         await page.screenshot({ path: join(pictures, "operator_m0.png") });
         await act("start", key("Start"));
         await mode("running");
@@ -84,7 +80,7 @@ export function operator_day({ kadr, browser, pictures }) {
         await until("80 %", async () => (await text(".override-value")) === "80 %");
         await act("override 100 %", ".override-row >> nth=0 >> button:has-text('100 %')");
         await until("100 %", async () => (await text(".override-value")) === "100 %");
-        await until("line 10", async () => Number(/\d+/.exec(await text(".screen-head .dim"))?.[0]) >= 10, 60_000);
+        await until("line 10", async () => Number(/\d+/.exec(await text(".screen-head .dim"))?.[0]) >= 10);
         await act("hold", key("Hold"));
         await mode("held");
 
@@ -93,10 +89,10 @@ export function operator_day({ kadr, browser, pictures }) {
         await page.tap(tab("op_restart"));
         await page.fill(".restart input[aria-label='line']", "10");
         await page.tap(".restart button:has-text('Find')");
-        await until("the sheet", () => count(".restart-sheet"), 20_000);
+        await until("the sheet", () => count(".restart-sheet"));
         await page.tap(".restart button:has-text('Go there')");
         touches += 3;
-        await until("it is there", async () => ((await text(".notice")) ?? "").includes("At the place"), 90_000);
+        await until("it is there", async () => ((await text(".notice")) ?? "").includes("At the place"));
         must((await text(".screen-head .dim")) === "line 10", `elsewhere: ${await text(".screen-head .dim")}`);
         await act("start", key("Start"));
         await mode("running");

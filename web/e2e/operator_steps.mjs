@@ -5,7 +5,7 @@ import { looks_at, must, until } from "./browser.mjs";
 export function operator_steps({ kadr, page, pictures }) {
   const { count, text } = looks_at(() => page);
   const screen = ".operator-screen";
-  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.screen-head .mode.${wanted}`), 60_000);
+  const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.screen-head .mode.${wanted}`));
   const shown = () => page.locator(screen).isVisible();
   const tab = (name) => page.click(`${screen} [data-tab=${name}]`);
   /// Work coordinate of an axis, as it is shown.
@@ -61,7 +61,7 @@ export function operator_steps({ kadr, page, pictures }) {
       await tab("op_program");
       await page.keyboard.press("r");
       await mode("running");
-      await until("motion", async () => Math.abs(await work(0)) > 1, 60_000);
+      await until("motion", async () => Math.abs(await work(0)) > 1);
       await page.screenshot({ path: join(pictures, "operator_runs.png") });
       await tab("op_manual");
       await page.locator(".mdi-row .mdi").last().click(); // Hold acts also while text is typed

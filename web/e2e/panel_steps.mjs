@@ -16,13 +16,13 @@ export function panel_steps(place) {
       const x = () => panel.position("X");
       await page.fill(".operator .mdi", "G0 X17.5");
       await page.press(".operator .mdi", "Enter");
-      await until("X 17.5", async () => Math.abs((await x()) - 17.5) < 1e-6, 60_000);
+      await until("X 17.5", async () => Math.abs((await x()) - 17.5) < 1e-6);
       await panel.mode("standing");
       await page.click(".operator button:has-text('Undo')");
       await until("X as before", async () => Math.abs(await x()) < 1e-6);
       await panel.key("Start");
       await panel.mode("running");
-      await until("a motion", async () => (await line_shown()).includes("G"), 60_000);
+      await until("a motion", async () => (await line_shown()).includes("G"));
       await panel.key("Hold");
       await panel.mode("held");
       await page.screenshot({ path: join(pictures, "panel.png") });
@@ -37,7 +37,7 @@ export function panel_steps(place) {
       await page.click("[data-tab=cut_tab]");
       await until("the form", () => count(".cut-run button"));
       await page.click(".cut-run button");
-      await until("what is left", () => count(".cut .facts"), 120_000);
+      await until("what is left", () => count(".cut .facts"));
       await panel.switch_on();
       await page.click(".touch > summary");
       await page.click(".scene-bar button:text-is('Top')");
@@ -47,13 +47,13 @@ export function panel_steps(place) {
       await until("a place from above", async () => ((await text(".touch")) ?? "").includes("Z− up to Z ="));
       await page.screenshot({ path: join(pictures, "touch.png") });
       await page.click(".touch button:has-text('Touch')");
-      await until("it has touched", async () => ((await text(".touch")) ?? "").includes("Touched. In G54"), 60_000);
+      await until("it has touched", async () => ((await text(".touch")) ?? "").includes("Touched. In G54"));
       await page.fill(".touch input[aria-label='Value']", "7");
       await page.click(".touch button:has-text('Set zero')");
-      await until("the zero is set", () => count(".touch summary"), 20_000);
+      await until("the zero is set", () => count(".touch summary"));
       await page.click(".tables > summary");
       await page.selectOption(".tables select >> nth=0", "work_offsets");
-      await until("it stands in the table", () => count(".tables tr:has-text('G54') input.edited"), 20_000);
+      await until("it stands in the table", () => count(".tables tr:has-text('G54') input.edited"));
       await page.click(".tables button:has-text('As in the set-up')");
       await panel.switch_off();
     },

@@ -12,15 +12,13 @@ export function part_steps({ page, pictures }) {
       await page.click("[data-tab=cut_tab]");
       await until("the form", () => count(".cut-run button"));
       await page.click(".cut-run button");
-      await until("what is left", async () => (await count(".cut .facts")) || (await not_served()), 120_000);
+      await until("what is left", async () => (await count(".cut .facts")) || (await not_served()));
       if (await not_served()) return "skipped: not served yet";
       await page.keyboard.press("Escape");
       await page.locator(".slider").focus();
       await page.keyboard.press("End");
-      await until(
-        "the part at the end",
-        async () => /\d/.test((await page.locator(".cut .note").allTextContents()).join(" ")),
-        60_000,
+      await until("the part at the end", async () =>
+        /\d/.test((await page.locator(".cut .note").allTextContents()).join(" ")),
       );
       await until("the end", async () => (await now()) > 1);
       await settled_view(); // the previous part may still arrive
@@ -29,7 +27,6 @@ export function part_steps({ page, pictures }) {
       await until(
         "another part at the start",
         async () => (await page.locator(".cut .note").allTextContents()).join(" ") !== whole,
-        60_000,
       );
       await page.screenshot({ path: join(pictures, "cut.png") });
     },

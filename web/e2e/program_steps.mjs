@@ -113,7 +113,6 @@ export function program_steps({ kadr, page, pictures }) {
       await until(
         "what differs",
         async () => (await not_served()) || !["", "Comparing…"].includes(((await text(".compare .note")) ?? "").trim()),
-        60_000,
       );
       if (await not_served()) {
         await page.click("dialog.docked .dialog-head button");

@@ -16,14 +16,13 @@ export function restart_steps(place) {
       const field = (name) => page.locator(`.restart input[aria-label='${name}']`);
       await field("line").fill("9999");
       await page.click(".restart button:has-text('Find')");
-      await until("that it is not there", async () => (await toasts()).includes("not reached"), 20_000);
+      await until("that it is not there", async () => (await toasts()).includes("not reached"));
       await field("line").fill("20");
       await field("line").press("Enter"); // by keyboard only
-      await until("the sheet", () => count(".restart-sheet"), 20_000);
+      await until("the sheet", () => count(".restart-sheet"));
       await until(
         "a clearance over all that is gone through",
         async () => (await field("Clearance").inputValue()) !== "",
-        20_000,
       );
       must(await count(".restart-rows tr.differs"), "nothing differs");
       await page.locator(".restart").evaluate((e) => e.scrollIntoView());
@@ -38,16 +37,11 @@ export function restart_steps(place) {
       await until(
         "the way over it",
         async () => (await page.locator(".restart-way input >> nth=0").inputValue()) === "55.000",
-        20_000,
       );
       await page.click(".restart summary:has-text('As blocks')");
       must((await text(".restart-blocks")).includes("G"), "no blocks");
       await page.click(".restart button:has-text('Go there')");
-      await until(
-        "it stands there",
-        async () => ((await text(".operator-head")) ?? "").includes("At the place"),
-        90_000,
-      );
+      await until("it stands there", async () => ((await text(".operator-head")) ?? "").includes("At the place"));
       must((await text(".operator-head")).includes("line 20"), `elsewhere: ${await text(".operator-head")}`);
       await panel.key("Start");
       await panel.mode("running");

@@ -23,7 +23,7 @@ export function rotary_steps({ kadr, page, pictures, only }) {
         await ended();
       }
       await page.selectOption(".setup-choice", "five-axes/trunnion_drilling.json");
-      await until("the program without an alarm", () => count(".run-told.ended"), 60_000);
+      await until("the program without an alarm", () => count(".run-told.ended"));
       const slider = await page.locator(".slider").boundingBox();
       await page.mouse.click(slider.x + 0.62 * slider.width, slider.y + slider.height / 2);
       const tick = async () => {
@@ -43,7 +43,7 @@ export function rotary_steps({ kadr, page, pictures, only }) {
       await page.click("[data-tab=cut_tab]");
       await until("the form", () => count(".cut-run button"));
       await page.click(".cut-run button");
-      await until("what is left", () => count(".cut .facts"), 120_000);
+      await until("what is left", () => count(".cut .facts"));
       await page.screenshot({ path: join(pictures, "turned_cut.png") });
     },
   };

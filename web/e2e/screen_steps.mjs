@@ -18,9 +18,9 @@ export function screen_steps(place) {
       if (!(await full.isVisible())) return "skipped: this browser does not leave Esc to the page";
       await full.click();
       await until("full screen", is_full);
-      must((await full.getAttribute("aria-pressed")) === "true", "the button does not show it");
+      await until("the button that shows it", async () => (await full.getAttribute("aria-pressed")) === "true");
       await screen.key("Start");
-      await until("M0", async () => ((await text(".notice")) ?? "").includes("CLAMP THE PART"), 60_000);
+      await until("M0", async () => ((await text(".notice")) ?? "").includes("CLAMP THE PART"));
       await screen.key("Start");
       await screen.mode("running");
       await page.keyboard.press("Escape");

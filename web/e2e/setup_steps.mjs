@@ -173,7 +173,7 @@ export function setup_steps({ kadr, page, pictures }) {
       must((await text(".cut")).includes("STOCK 80 X 60 X 20"), "it does not say by which comment");
       must((await text(".cut")).includes("assumed"), "it does not say what is assumed");
       await click(page.locator(".cut-run button.main"));
-      await until("what is left", () => count(".cut .facts"), 120_000);
+      await until("what is left", () => count(".cut .facts"));
       await page.screenshot({ path: join(pictures, "setup_cut.png") });
       await click(page.locator(".cut-start button", { hasText: "Keep" }));
       await until("kept", async () => (await toasts()).includes("day.toml"));

@@ -13,29 +13,25 @@ export function table_steps(place) {
       await panel.open("cut", "step.nc");
       await panel.switch_on();
       await page.click(".tables > summary");
-      await until("the tables", () => count(".tables select"), 20_000);
+      await until("the tables", () => count(".tables select"));
       await page.selectOption(".tables select >> nth=0", "work_offsets");
       await page.fill(".tables input[aria-label='New row']", "G54");
       await page.click(".tables button:has-text('Add')");
-      await until("the row", () => count(".tables tr:has-text('G54')"), 20_000);
+      await until("the row", () => count(".tables tr:has-text('G54')"));
       await ended();
       const was = await settled_view();
       await page.fill(".tables tr:has-text('G54') input >> nth=0", "123");
       await page.press(".tables tr:has-text('G54') input >> nth=0", "Tab");
-      await until("the zero at the panel", async () => Math.abs((await panel.position("X")) + 123) < 1e-6, 20_000);
+      await until("the zero at the panel", async () => Math.abs((await panel.position("X")) + 123) < 1e-6);
       await until("the path has moved", async () => !was.equals(await settled_view()));
       await page.locator(".tables").evaluate((e) => e.scrollIntoView());
       await page.screenshot({ path: join(pictures, "tables.png") });
       await page.click(".tables button:has-text('As in the set-up')");
-      await until("the zero as before", async () => Math.abs(await panel.position("X")) < 1e-6, 20_000);
+      await until("the zero as before", async () => Math.abs(await panel.position("X")) < 1e-6);
       await page.click(".watches > summary");
       await page.fill(".watches input[aria-label='Expression']", "#5221+2");
       await page.press(".watches input[aria-label='Expression']", "Enter");
-      await until(
-        "its value",
-        async () => ((await text(".watches .stop-points >> nth=1")) ?? "").includes("2"),
-        20_000,
-      );
+      await until("its value", async () => ((await text(".watches .stop-points >> nth=1")) ?? "").includes("2"));
       await page.fill(".watches input[aria-label='line']", "25");
       await page.click(".watches button:has-text('Add') >> nth=0");
       await until("the stop point", () => count(".watches .stop-points li:has-text('line 25')"));
@@ -45,7 +41,7 @@ export function table_steps(place) {
       await page.click(".watches button:has-text('Add') >> nth=0");
       await until("the condition", () => count(".watches .stop-points li:has-text('#5220')"));
       await panel.key("Start");
-      await until("held by the condition", () => count(".watches .stop-points li.hit:has-text('#5220')"), 20_000);
+      await until("held by the condition", () => count(".watches .stop-points li.hit:has-text('#5220')"));
       await page.locator(".watches .stop-points li:has-text('#5220') button.icon").click();
       await page.click(".topbar button:has-text('РУ')");
       await until(
@@ -59,7 +55,7 @@ export function table_steps(place) {
       await page.click(".topbar button:has-text('EN')");
       await until("and in English", async () => (await text(".operator-keys")).includes("Start"));
       await page.click(".shift > summary");
-      await until("the log", () => count(".shift tr:has-text('tables edited')"), 20_000);
+      await until("the log", () => count(".shift tr:has-text('tables edited')"));
       await page.screenshot({ path: join(pictures, "shift.png") });
       const other = await page.context().newPage();
       await other.goto(kadr.address());
@@ -68,12 +64,12 @@ export function table_steps(place) {
       for (const name of ["cut", "step.nc"]) await other.click(`.file-row:has-text('${name}')`);
       await other.click("[data-tab=panel]");
       await other.click(".operator button:has-text('Switch on')");
-      await other.waitForSelector(".operator button:has-text('Take them')", { timeout: 30_000 });
+      await other.waitForSelector(".operator button:has-text('Take them')");
       await other.click(".operator button:has-text('Take them')");
-      await until("the first page sees it", () => count(".operator button:has-text('Take them')"), 20_000);
+      await until("the first page sees it", () => count(".operator button:has-text('Take them')"));
       await other.click(".operator-keys button:has-text('Switch off')");
       await other.close();
-      await until("it is off", () => count(".operator button:has-text('Switch on')"), 20_000);
+      await until("it is off", () => count(".operator button:has-text('Switch on')"));
     },
   };
 }

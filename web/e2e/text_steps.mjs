@@ -38,7 +38,7 @@ export function text_steps({ kadr, page, pictures, only }) {
       await page.selectOption(".compare select", { index: 0 });
       await page.click(".compare button.main");
       const told = async () => ((await text(".compare .note")) ?? "").trim();
-      await until("what differs", async () => !["", "Comparing…"].includes(await told()), 60_000);
+      await until("what differs", async () => !["", "Comparing…"].includes(await told()));
       must(!/^equal/.test(await told()) && (await count(".differences li")), `told: ${await told()}`);
       must(/^10 /.test((await text(".differences li")) ?? ""), `not line 10: ${await text(".differences li")}`);
       await page.screenshot({ path: join(pictures, "compare_shown.png") });
@@ -51,7 +51,7 @@ export function text_steps({ kadr, page, pictures, only }) {
     async "a program saved while its machine is on: the marked line is the one that the machine runs"() {
       if (!process.env.KADR) return "skipped: the made-up session has no machine";
       await open("step.nc");
-      const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`), 60_000);
+      const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`));
       const marked = () =>
         page.evaluate(() => {
           const row = document.querySelector(".source-host .cm-running");
@@ -67,7 +67,7 @@ export function text_steps({ kadr, page, pictures, only }) {
       await page.click(".operator button:has-text('Switch on')");
       await mode("standing");
       await page.click(".operator-keys button:has-text('Start')");
-      await until("a motion", async () => /^(N\d+ )?G[01]/.test(await block()), 60_000);
+      await until("a motion", async () => /^(N\d+ )?G[01]/.test(await block()));
       await page.click(".operator-keys button:has-text('Hold')");
       await mode("held");
       await is_marked();
@@ -109,7 +109,7 @@ export function text_steps({ kadr, page, pictures, only }) {
         const its = await page.context().newPage();
         await kadr.prepare(its);
         await its.goto(kadr.address());
-        await until("the run's end", () => its.locator(".run-told.ended, .run-told.stopped").count(), 60_000);
+        await until("the run's end", () => its.locator(".run-told.ended, .run-told.stopped").count());
         return its;
       };
       const type = async (its, told) => {
@@ -157,7 +157,7 @@ export function text_steps({ kadr, page, pictures, only }) {
       );
       await until("unsaved", () => third.locator(".dirty").count());
       await third.click(".switch [lang=en]");
-      await until("its run", () => third.locator(".run-told.ended, .run-told.stopped").count(), 60_000);
+      await until("its run", () => third.locator(".run-told.ended, .run-told.stopped").count());
       kadr.change(); // another client changes the file meanwhile
       await close(third);
 
@@ -167,7 +167,7 @@ export function text_steps({ kadr, page, pictures, only }) {
       await until("the text", async () =>
         (await fourth.locator(".cm-content").textContent()).includes("(OF YESTERDAY)"),
       );
-      await until("its run", () => fourth.locator(".run-told.ended, .run-told.stopped").count(), 60_000);
+      await until("its run", () => fourth.locator(".run-told.ended, .run-told.stopped").count());
       await fourth.keyboard.press("Control+s");
       await until("the conflict", () => fourth.locator("dialog:has-text('changed on the disk')").count());
       await fourth.click("dialog button.main"); // the other client's version
