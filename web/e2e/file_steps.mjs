@@ -82,7 +82,12 @@ export function file_steps({ kadr, page, pictures, only }) {
       await until("it is gone", async () => !(await row("copy.nc").count()));
       must(readdirSync(join(kadr.folder, ".kadr-trash")).length === 1, "it is not in the trash");
       await page.screenshot({ path: join(pictures, "deleted.png") });
-      await page.click(".toast:has-text('trash') button");
+      await page.locator(".slider").focus();
+      await page.keyboard.press("Shift+Slash");
+      await until("help", () => count("dialog:modal"));
+      await page.click(".toast:has-text('trash') button"); // a dialogue does not cover it
+      await page.keyboard.press("Escape");
+      await until("help is closed", async () => !(await count("dialog")));
       await until("it is back", () => row("copy.nc").count());
       must(existsSync(on_disk("copy.nc")), "not back on the disk");
     },

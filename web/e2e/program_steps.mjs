@@ -67,6 +67,10 @@ export function program_steps({ kadr, page, pictures }) {
       const last = await text(".block-text");
       await page.keyboard.press("Home");
       await until("the start", async () => (await now()) === 0);
+      await until("the first line in the text", line_shown);
+      for (let i = 0; i < 5; i++) for (const key of ["End", "Home"]) await page.keyboard.press(key, { delay: 0 });
+      await until("the start again", async () => (await now()) === 0);
+      await until("its line in the text", line_shown);
       await page.keyboard.press("Shift+ArrowRight");
       await until("ten blocks on", async () => (await now()) > 0 && (await text(".block-text")) !== last);
       const box = await slider.boundingBox();

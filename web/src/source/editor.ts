@@ -153,7 +153,7 @@ export function editor_view(
     show_line(line, beside = "") {
       const at = start_of(view.state, line);
       view.dispatch({ effects: set_running.of({ line, beside }) });
-      if (at >= 0 && !seen(view, at)) scroll_to(view, line);
+      if (at >= 0 && !seen(view, at)) scroll_to_running(view);
     },
     take: (text) => take_text(view, text),
     insert: (lines) => {
@@ -190,14 +190,15 @@ function take_text(view: EditorView, text: string): void {
   });
 }
 
-/// Scrolls to the running line. The heights of a text that was hidden until now are guesses: the editor measures them only
-/// with the next pictures, so that it is looked whether the line has come into view.
-function scroll_to(view: EditorView, line: number, tries = 3): void {
-  const at = start_of(view.state, line);
-  if (at < 0 || view.state.field(running).line !== line) return;
+/// Scrolls to the running line. The heights of a text that was hidden until now are guesses, and another line may run
+/// before the editor has scrolled to this one: so it is looked whether the line that runs then has come into view.
+function scroll_to_running(view: EditorView, tries = 3): void {
+  const at = start_of(view.state, view.state.field(running).line);
+  if (at < 0) return;
   view.dispatch({ effects: EditorView.scrollIntoView(at, { y: "center" }) });
   const again = (): void => {
-    if (view.dom.isConnected && !drawn_in_view(view, line)) scroll_to(view, line, tries - 1);
+    if (view.dom.isConnected && !drawn_in_view(view, view.state.field(running).line))
+      scroll_to_running(view, tries - 1);
   };
   if (tries > 0) requestAnimationFrame(() => setTimeout(again));
 }

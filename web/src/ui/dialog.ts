@@ -3,6 +3,7 @@
 import { t } from "../texts/texts";
 import { button, h } from "./dom";
 import { icon } from "./icons";
+import { place_toasts } from "./toast";
 
 /// `docked`: the page remains usable next to it: on the left the view stays visible, on the right the source.
 export function open_dialog(
@@ -27,6 +28,7 @@ export function open_dialog(
     h("div", { class: "dialog-body" }, content),
   );
   dialog.addEventListener("close", () => {
+    place_toasts(dialog);
     dialog.remove();
     options.closed?.();
   });
@@ -37,7 +39,10 @@ export function open_dialog(
       if (e.key === "Escape") close();
     });
     dialog.show(); // the view remains usable next to it
-  } else dialog.showModal();
+  } else {
+    dialog.showModal();
+    place_toasts();
+  }
   return dialog;
 }
 
