@@ -17,11 +17,12 @@ export function at_screen({ kadr, page }) {
     const row = page.locator(`.file-row:has(.file-name:text-is("${name}"))`);
     const is_open = async () => (await text(".screen-head .file")) === name;
     // The program that was open last may arrive meanwhile, and its folder with it.
+    const try_click = (what) => what.first().click({ timeout: 3000 }).catch(() => {}); // it may be hidden meanwhile
     await until(name, async () => {
       if (await is_open()) return true;
-      if (!(await page.isVisible(".program-host .files"))) await page.click(".screen-head .file");
-      if (await row.count()) await row.click({ timeout: 3000 }).catch(() => {});
-      else if (await count(".crumbs button")) await page.click(".crumbs button >> nth=0");
+      if (!(await page.isVisible(".program-host .files"))) await try_click(page.locator(".screen-head .file"));
+      if (await row.count()) await try_click(row);
+      else await try_click(page.locator(".crumbs button"));
       return until("it is open", is_open, 5000).catch(() => false); // clicked again, it would be opened again
     });
     const has_run = () => page.evaluate(() => /ended|stopped/.test(document.querySelector(".run-told")?.className));
