@@ -17,7 +17,11 @@ export function at_screen({ kadr, page }) {
     const row = page.locator(`.file-row:has(.file-name:text-is("${name}"))`);
     const is_open = async () => (await text(".screen-head .file")) === name;
     // The program that was open last may arrive meanwhile, and its folder with it.
-    const try_click = (what) => what.first().click({ timeout: 3000 }).catch(() => {}); // it may be hidden meanwhile
+    const try_click = (what) =>
+      what
+        .first()
+        .click({ timeout: 3000 })
+        .catch(() => {}); // it may be hidden meanwhile
     await until(name, async () => {
       if (await is_open()) return true;
       if (!(await page.isVisible(".program-host .files"))) await try_click(page.locator(".screen-head .file"));

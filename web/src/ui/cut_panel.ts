@@ -8,7 +8,7 @@ import type { BlankSource, Box, Insert, KeptFile, PartAnswer, Problem, Tool } fr
 import { on_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { CutProblems } from "./problems_panel";
-import { stock_form } from "./stock_form";
+import { fixtures_form, stock_form } from "./stock_form";
 import { cut_facts } from "./cut_facts";
 import { toast } from "./toast";
 import { text_input, tool_form } from "./tool_form";
@@ -26,6 +26,8 @@ export class CutPanel {
   private known = false;
   private of: string | null = null; // the program that blank and tools belong to
   private touched = false; // by the user
+  private proposing = 0; // questions for the proposals in progress
+  private cuts_next = false; // as soon as the proposals of the shown text are here
   private run_row = h("div", { class: "cut-run" });
   private run_shown = ""; // state of the button in it
   private choices = h("div", { class: "row cut-choices" });
@@ -44,12 +46,13 @@ export class CutPanel {
     this.element.addEventListener("change", () => {
       this.touched = true;
     });
-    app.on_opening.on(() => {
+    app.on_opening.on((file) => {
+      if (file !== this.of) this.cuts_next = false;
       this.known = false;
       this.part = null;
       this.draw();
     });
-    app.on_done.on(() => void this.propose());
+    app.on_done.on(() => void this.propose().then(() => this.cut_proposed()));
     app.on_cut.on((part) => {
       if (part === null) this.part = app.cut_ready ? this.part : null;
       this.draw_told(part);
@@ -72,6 +75,7 @@ export class CutPanel {
   }
 
   private async propose(): Promise<void> {
+    this.proposing++;
     try {
       const p = await this.app.client.ask("proposals", {});
       const opened = this.app.opened?.file ?? null;
@@ -92,6 +96,7 @@ export class CutPanel {
     } catch {
       this.known = true; /* a program without motion has no blank: the form stays empty */
     }
+    this.proposing--;
     this.draw();
   }
 
@@ -118,7 +123,10 @@ export class CutPanel {
           this.by = null;
           this.draw();
         }),
-        this.fixtures_form(),
+        fixtures_form(this.fixtures, (fixtures) => {
+          this.fixtures = fixtures;
+          this.draw();
+        }),
         h("h3", null, `${t("tools")}, ${t("mm")}`),
         this.files_form(),
         !this.tools.length && h("p", { class: "note" }, t("tools_none")),
@@ -172,27 +180,8 @@ export class CutPanel {
       this.known &&
         (this.app.cutting
           ? button(t("stop"), () => this.app.stop(), { class: "stop" })
-          : button(t("cut"), () => this.run(), { class: "main", disabled: !this.app.done })),
+          : button(t("cut"), () => void this.run(), { class: "main", disabled: !this.app.done })),
     );
-  }
-
-  private fixtures_form(): HTMLElement {
-    const text = h(
-      "textarea",
-      {
-        rows: String(Math.max(1, this.fixtures.length)),
-        placeholder: "box:X0,Y0,Z0,X1,Y1,Z1",
-        onchange: () => {
-          this.fixtures = text.value
-            .split("\n")
-            .map((line) => line.trim())
-            .filter((line) => line !== "");
-          this.draw();
-        },
-      },
-      this.fixtures.join("\n"),
-    );
-    return h("label", { class: "field" }, h("span", null, t("fixtures")), text);
   }
 
   private files_form(): HTMLElement | false {
@@ -210,7 +199,15 @@ export class CutPanel {
     return h("label", { class: "field" }, h("span", null, t("tools_from_file")), select);
   }
 
-  private run(): void {
+  /// Blank and tools that an older text proposed do not fit: the cut waits for those of the text that is shown.
+  private async run(): Promise<void> {
+    this.cuts_next = true;
+    if (!(await this.app.run_shown())) this.cuts_next = false;
+    this.cut_proposed();
+  }
+  private cut_proposed(): void {
+    if (!this.cuts_next || this.proposing || this.app.running) return;
+    this.cuts_next = false;
     const r = Number(this.resolution.replace(",", "."));
     const tools = this.tools.map(({ from: _, known: __, ...shape }) => shape);
     void this.app.run_cut({

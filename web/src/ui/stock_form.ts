@@ -81,3 +81,23 @@ function cylinder_form(c: Cylinder, changed: (stock: string) => void): HTMLEleme
     field("to", "blank_to"),
   );
 }
+
+/// `fixtures`: one a line, as `kadr cut --fixture` has them.
+export function fixtures_form(fixtures: string[], changed: (fixtures: string[]) => void): HTMLElement {
+  const text = h(
+    "textarea",
+    {
+      rows: String(Math.max(1, fixtures.length)),
+      placeholder: "box:X0,Y0,Z0,X1,Y1,Z1",
+      onchange: () =>
+        changed(
+          text.value
+            .split("\n")
+            .map((line) => line.trim())
+            .filter((line) => line !== ""),
+        ),
+    },
+    fixtures.join("\n"),
+  );
+  return h("label", { class: "field" }, h("span", null, t("fixtures")), text);
+}
