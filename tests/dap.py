@@ -140,6 +140,17 @@ def check_entry_and_end(kadr):
     expect(client.end() == 0, 'exit status')
 
 
+def check_terminate(kadr):
+    client = Client(kadr).begin(kadr, 'G21 F100\no1 while [1]\nG1 X[#1]\n#1=[#1+1]\no1 endwhile\nM2\n', 'linuxcnc')
+    client.start()
+    client.body('continue', threadId=1)
+    client.body('terminate')
+    client.wait('terminated')
+    for command in ('continue', 'stepBack', 'configurationDone'):
+        expect(not client.ask(command, threadId=1)['success'], f'{command} after the end')
+    expect(client.end() == 0, 'exit status')
+
+
 def check_breakpoints(kadr):
     client = Client(kadr).begin(kadr)
     expect(all(p['verified'] for p in client.points(5, {'line': 8, 'condition': '#101 GT 4'}, {'line': 12, 'hitCondition': '3'})), 'verified')
@@ -181,6 +192,8 @@ def check_steps(kadr):
     expect(client.go('stepIn')[1] in (10, 11), 'into the subprogram')
     frames = client.body('stackTrace', threadId=1)['stackFrames']
     expect(len(frames) == 2 and frames[1]['line'] == 6 and frames[0]['source']['path'] == client.path, f'{frames}')
+    part = client.body('stackTrace', threadId=1, startFrame=1, levels=5)
+    expect(part['stackFrames'] == frames[1:] and part['totalFrames'] == 2, f'a part of the stack: {part}')
     expect(client.go('stepOut')[1] == 7, 'out of it')
     client.points()
     expect(client.go('next')[1] == 4, 'the jump')
@@ -344,6 +357,14 @@ def check_reverse_in_a_long_run(kadr):
     expect([client.go()[1] for _ in range(3)] == [3, 3, 5], 'forward')
     back = [client.go('reverseContinue') + (client.value('#1'),) for _ in range(3)]
     expect(back == [('breakpoint', 3, '21999'), ('breakpoint', 3, '1234'), ('entry', 1, '0')], f'{back}')
+    client.points(5)
+    client.go()
+    client.points({'line': 1, 'condition': '#1 == 77'})   # nowhere: the whole run is searched
+    client.body('reverseContinue')
+    client.body('pause')
+    client.wait('stopped')
+    value = int(client.value('#1'))
+    expect(0 <= value <= 30000 and client.go('stepIn')[0] == 'step', f'held in the middle of the way back: {value}')
     client.end()
 
 

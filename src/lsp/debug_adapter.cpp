@@ -52,7 +52,7 @@ const std::map<std::string_view, DebugAdapter::Request>& DebugAdapter::requests(
       {"reverseContinue", &A::reverse},
       {"pause", &A::pause},
       {"restart", &A::restart},
-      {"terminate", &A::leave},
+      {"terminate", &A::terminate},
       {"disconnect", &A::leave},
   };
   return all;
@@ -168,7 +168,8 @@ LspJson DebugAdapter::launch(const LspJson& arguments) {
 
 LspJson DebugAdapter::configuration_done(const LspJson&) {
   stepping();
-  if (history_) throw LspFault{LspFault::invalid_request, translated(texts::dap::launched_already)};
+  if (configured_) throw LspFault{LspFault::invalid_request, translated(texts::dap::launched_already)};
+  configured_ = true;
   afterwards_ = [this] {
     const Session::State state = stepping_->go(Stepping::How::block);
     history_ = std::make_unique<RunHistory>(*session_, *stepping_);
@@ -187,6 +188,7 @@ void DebugAdapter::go(Stepping::How how, const char* reason) {
   reason_ = reason;
   how_ = how;
   interrupted_ = false;
+  search_.reset();
   depth_ = stepping_->next() ? stepping_->next()->depth : 0;
   stepping_->begin(Stepping::How::free);
   running_ = true;
@@ -195,7 +197,7 @@ void DebugAdapter::go(Stepping::How how, const char* reason) {
 /// Executes a line of the operator, which may call programs.
 ///   throws  LspFault if the control refuses the line, or if it takes too long
 void DebugAdapter::enter(const std::string& line) {
-  if (running_) throw LspFault{LspFault::request_failed, translated(texts::dap::runs)};
+  if (is_running()) throw LspFault{LspFault::request_failed, translated(texts::dap::runs)};
   constexpr std::chrono::seconds most(5);
   const auto until = std::chrono::steady_clock::now() + most;
   stepping_->begin_entering(line);
@@ -227,6 +229,7 @@ void DebugAdapter::before_block(const Origin& block) {
 
 void DebugAdapter::work(const StopToken& stop) {
   set_thread_language(lang_);
+  while (search_ && !stop.requested()) search_back();
   if (std::exchange(interrupted_, false)) stepping_->begin(Stepping::How::free);
   stop_ = stop;
   while (running_ && !stop.requested()) {
@@ -273,6 +276,7 @@ void DebugAdapter::go_to_block(std::uint32_t number, const char* reason) {
   begun();
   afterwards_ = [this, number, reason] {
     running_ = interrupted_ = false;
+    search_.reset();
     quiet_ = true;
     const auto state = history_->go_back(number);
     quiet_ = false;
@@ -314,22 +318,28 @@ LspJson DebugAdapter::step_back(const LspJson&) {
 /// Goes back to the last block at which a breakpoint holds the program, or to the beginning.
 LspJson DebugAdapter::reverse(const LspJson&) {
   begun();
-  afterwards_ = [this] { go_back_to_stop(); };
+  if (search_) return nullptr;  // it runs back already
+  afterwards_ = [this] {
+    running_ = interrupted_ = false;
+    search_ = history_->begin_search();
+  };
   return nullptr;
 }
 
-void DebugAdapter::go_back_to_stop() {
-  running_ = interrupted_ = false;
-  quiet_ = true;
+/// Searches one part of the run for a breakpoint that holds the program; breakpoints that write a message do not.
+void DebugAdapter::search_back() {
   const auto holds = [this](std::size_t point) {
     const auto special = special_.find(point);
     return special == special_.end() || special->second.message.empty();
   };
-  const auto state = history_->go_back_to_stop(holds);
+  quiet_ = true;
+  const auto state = history_->search(*search_, holds);
   quiet_ = false;
+  if (state && !*state) return;
+  search_.reset();
   if (!state) return output(opened_->texts->sentence(state.error(), lang_), "stderr");
   reason_ = "entry";
-  stop_at(*state);
+  stop_at(**state);
 }
 
 LspJson DebugAdapter::restart(const LspJson&) {
@@ -339,10 +349,25 @@ LspJson DebugAdapter::restart(const LspJson&) {
 
 LspJson DebugAdapter::pause(const LspJson&) {
   begun();
-  if (!running_) return nullptr;  // it is held already
+  if (!is_running()) return nullptr;  // it is held already
   reason_ = "pause";
+  if (search_) {
+    search_.reset();
+    afterwards_ = [this] { event("stopped", {{"reason", "pause"}, {"threadId", only_thread}, {"allThreadsStopped", true}}); };
+    return nullptr;
+  }
   how_ = Stepping::How::block;
   if (std::exchange(interrupted_, false)) afterwards_ = [this] { stop_at(Session::State::held); };
+  return nullptr;
+}
+
+/// Ends the run. The editor then disconnects.
+LspJson DebugAdapter::terminate(const LspJson&) {
+  begun();
+  running_ = interrupted_ = false;
+  search_.reset();
+  history_.reset();  // the run cannot be continued
+  afterwards_ = [this] { event("terminated", LspJson::object()); };
   return nullptr;
 }
 

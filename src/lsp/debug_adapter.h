@@ -30,8 +30,8 @@ class DebugAdapter {
   /// Executes one message. Each request gets one response. A program that runs is held first, except for requests about breakpoints.
   void take(std::string_view message);
 
-  /// True while the program runs: work() continues it.
-  bool is_running() const { return running_; }
+  /// True while the program runs, forward or back: work() continues it.
+  bool is_running() const { return running_ || search_; }
   /// Runs the program until it is held, until it ends, or until the stop token ends the work, at the next block; the next call continues
   /// it.
   void work(const StopToken& stop);
@@ -63,7 +63,7 @@ class DebugAdapter {
   bool asks_for(const Origin& block) const;
   void before_block(const Origin& block);
   void go_to_block(std::uint32_t number, const char* reason);
-  void go_back_to_stop();
+  void search_back();
   std::size_t depth_of_frame(const LspJson& arguments) const;
   std::vector<LocalVariables> locals() const;
   LspJson variables_json(const std::vector<std::pair<std::string, double>>& values) const;
@@ -97,6 +97,7 @@ class DebugAdapter {
   LspJson reverse(const LspJson& arguments);
   LspJson pause(const LspJson& arguments);
   LspJson restart(const LspJson& arguments);
+  LspJson terminate(const LspJson& arguments);
   LspJson leave(const LspJson& arguments);
 
   const Send send_;
@@ -110,14 +111,15 @@ class DebugAdapter {
   std::map<std::string, std::vector<std::size_t>> points_;  // by file, "call" or "watch": numbers of the stop points
   std::map<std::size_t, Special> special_;                  // by number of the stop point
   std::function<void()> afterwards_;                        // what follows the response to the present request
-  bool stops_on_entry_ = true, running_ = false, over_ = false;
+  bool stops_on_entry_ = true, configured_ = false, running_ = false, over_ = false;
   const char* reason_ = "step";              // why the program will be held, if no breakpoint holds it before
   Stepping::How how_ = Stepping::How::free;  // the step that is executed, and the number of calls that were open at its beginning
   std::size_t depth_ = 0;
-  std::atomic<bool> gives_up_ = false;  // ends an entered line that takes too long
-  StopToken stop_;                      // while work() runs: ends it at the next block
-  bool interrupted_ = false;            // true: the program runs, and is held between two blocks only while a message is executed
-  bool quiet_ = false;                  // true: blocks are executed again, so that their warnings have been shown already
+  std::atomic<bool> gives_up_ = false;        // ends an entered line that takes too long
+  StopToken stop_;                            // while work() runs: ends it at the next block
+  bool interrupted_ = false;                  // true: the program runs, and is held between two blocks only while a message is executed
+  std::optional<RunHistory::Search> search_;  // set: the program runs back to a breakpoint
+  bool quiet_ = false;                        // true: blocks are executed again, so that their warnings have been shown already
 };
 
 /// Serves the debugger of an editor over two file descriptors until it disconnects or closes the input.

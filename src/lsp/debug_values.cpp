@@ -96,7 +96,8 @@ LspJson DebugAdapter::frame_json(int id, const std::string& name, const std::str
           {"column", first_line_}};
 }
 
-LspJson DebugAdapter::stack(const LspJson&) {
+/// Returns the frames of the call stack, innermost first: all, or the part that the editor asks for.
+LspJson DebugAdapter::stack(const LspJson& arguments) {
   const std::optional<Origin>& next = stepping().next();
   const Control& control = session_->control();
   const Origin here = next.value_or(control.origin());
@@ -108,6 +109,13 @@ LspJson DebugAdapter::stack(const LspJson&) {
   for (std::size_t i = calls.size(); i-- > 0;)
     frames.push_back(frame_json(static_cast<int>(frames.size()), i == 0 ? program : calls[i - 1].what, calls[i].file, calls[i].line));
   const std::size_t count = frames.size();
+  const auto number = [&](const char* name) -> std::size_t {
+    const auto found = arguments.is_object() ? arguments.find(name) : arguments.end();
+    return arguments.is_object() && found != arguments.end() && found->is_number_unsigned() ? found->get<std::size_t>() : 0;
+  };
+  const std::size_t first = std::min(number("startFrame"), count), levels = number("levels");
+  const std::size_t last = levels == 0 ? count : first + std::min(levels, count - first);
+  frames = LspJson(LspJson::array_t(frames.begin() + std::ptrdiff_t(first), frames.begin() + std::ptrdiff_t(last)));
   return {{"stackFrames", std::move(frames)}, {"totalFrames", count}};
 }
 

@@ -93,6 +93,8 @@ void LanguageServer::take(std::string_view text) {
     if (has_id && (message.contains("result") || message.contains("error"))) return take_answer(message);
     return answer(answer_to, "error", {{"code", LspFault::invalid_request}, {"message", translated(texts::lsp::no_message)}});
   }
+  if (message.contains("id") && !has_id)
+    return answer(nullptr, "error", {{"code", LspFault::invalid_request}, {"message", translated(texts::lsp::wrong_member, "id")}});
   const std::string method = message["method"];
   const auto params = message.find("params");
   const LspJson given = params == message.end() ? LspJson(nullptr) : *params;

@@ -56,19 +56,25 @@ std::optional<std::uint32_t> RunHistory::last_stop(std::uint32_t until, const st
   return last;
 }
 
-Result<Session::State> RunHistory::go_back_to_stop(const std::function<bool(std::size_t)>& holds) {
+RunHistory::Search RunHistory::begin_search() const {
+  return {stepping_.next() ? stepping_.next()->number : session_.control().origin().number + 1};
+}
+
+Result<std::optional<Session::State>> RunHistory::search(Search& of, const std::function<bool(std::size_t)>& holds) {
+  const auto to = [&](std::uint32_t number) -> Result<std::optional<Session::State>> {
+    const auto state = go_back(number);
+    if (!state) return fail(state.error());
+    return std::optional(*state);
+  };
   const bool any = std::any_of(stepping_.points().begin(), stepping_.points().end(), [&](const auto& point) { return holds(point.first); });
-  if (!first_ || !any) return go_back(0);
-  // From the last snapshot on, then from the one before it, and so on: each part of the run is executed once at most.
-  std::uint32_t until = stepping_.next() ? stepping_.next()->number : session_.control().origin().number + 1;
-  for (std::size_t i = all_.size() + 1; i-- > 0;) {
-    const std::uint32_t first = i == 0 ? 0 : all_[i - 1].number + 2;  // the block directly after a snapshot is not asked about again
-    if (first >= until) continue;
-    KADR_TRY(stepping_.restore(i == 0 ? *first_ : all_[i - 1].memory));
-    if (const auto found = last_stop(until, holds)) return go_back(*found);
-    until = first;
-  }
-  return go_back(0);
+  if (!first_ || !any) return to(0);
+  const auto after = [](const Kept& kept) { return kept.number + 2; };  // the block directly after a snapshot is not asked about again
+  while (!all_.empty() && after(all_.back()) >= of.until) all_.pop_back();
+  KADR_TRY(stepping_.restore(all_.empty() ? *first_ : all_.back().memory));
+  if (const auto found = last_stop(of.until, holds)) return to(*found);
+  if (all_.empty()) return to(0);
+  of.until = after(all_.back());
+  return std::optional<Session::State>();
 }
 
 }  // namespace kadr

@@ -25,10 +25,16 @@ class RunHistory {
   ///   returns  the state of the session: held, or another one if there is no such block
   ///   alarms   as Session::restore()
   Result<Session::State> go_back(std::uint32_t number);
-  /// Goes back to the last block before the present one at which a stop point holds the program; to the beginning if there is none.
-  ///   holds  returns false for a stop point, by its number, that is passed over
-  ///   alarms  as Session::restore()
-  Result<Session::State> go_back_to_stop(const std::function<bool(std::size_t)>& holds);
+  /// A search for the last block before the present one at which a stop point holds the program.
+  struct Search {
+    std::uint32_t until = 0;  // the blocks from this number on have been searched
+  };
+  Search begin_search() const;
+  /// Searches the part of the run from one snapshot to the next. If nothing is found there, the session is held at the end of that part.
+  ///   holds    returns false for a stop point, by its number, that is passed over
+  ///   returns  the state of the session at the block that was found, or at the beginning; nullopt: the search goes on
+  ///   alarms   as Session::restore()
+  Result<std::optional<Session::State>> search(Search& of, const std::function<bool(std::size_t)>& holds);
 
  private:
   std::optional<std::uint32_t> last_stop(std::uint32_t until, const std::function<bool(std::size_t)>& holds);
