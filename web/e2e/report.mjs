@@ -57,6 +57,8 @@ await open(small);
 await page.getByRole("button", { name: "EN", exact: true }).click();
 await until("English", async () => /Set-up sheet/.test(await text(".topbar")));
 expect((await drawn()) > 200, "the path is drawn");
+const cube = await page.locator(".view-cube").boundingBox();
+expect(cube && cube.width <= 140 && cube.height <= 140, `the cube of the view is small: ${JSON.stringify(cube)}`);
 expect(
   (await page.title()).startsWith("cover.nc"),
   `its title is the program's, not a comment's: ${await page.title()}`,

@@ -9,6 +9,7 @@ import "./style/lists.css";
 import "./style/cut.css";
 import "./style/timeline.css";
 import "./style/workshop.css";
+import "./style/view.css";
 import "./style/code.css";
 import "./style/in_editor.css";
 import "./style/print.css";
