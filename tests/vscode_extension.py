@@ -71,6 +71,15 @@ def check_the_grammars(kadr):
             expect(found and found[0] == code, f'{name}: {code} has no colour')
 
 
+def check_the_commands(kadr):
+    """A client registers the commands of the server too: a name that the extension has as well keeps the server from starting."""
+    text = json.dumps({'jsonrpc': '2.0', 'id': 1, 'method': 'initialize', 'params': {'capabilities': {}}}).encode()
+    done = kadr.call('lsp', binary=True, input=b'Content-Length: %d\r\n\r\n%s' % (len(text), text))
+    server = json.loads(done.stdout.split(b'\r\n\r\n', 1)[1])['result']['capabilities'].get('executeCommandProvider', {}).get('commands', [])
+    own = [one['command'] for one in json.loads((EXTENSION / 'package.json').read_text(encoding='utf-8'))['contributes']['commands']]
+    expect(own and server and not set(own) & set(server), f'extension {own}, server {server}')
+
+
 def check_wrong_usage(_kadr):
     done = subprocess.run([sys.executable, ROOT / 'dev' / 'grammars'], capture_output=True, text=True, check=False)
     expect(done.returncode == 2 and 'dev/grammars OUT' in done.stderr, f'{done}')

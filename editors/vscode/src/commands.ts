@@ -47,7 +47,7 @@ async function ask_control(path: string, title: string, none = false): Promise<s
   return (await vscode.window.showQuickPick(rows, { title, matchOnDescription: true }))?.label;
 }
 
-/// Opens the program for another control beside this one. A conversion that is not proven is not written.
+/// Opens the program for another control next to this one. A conversion that is not proven is not written.
 export async function convert(): Promise<void> {
   const document = active_program();
   if (!document || !(await document.save())) return;

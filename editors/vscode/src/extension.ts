@@ -20,7 +20,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     check: () => start_task("check"),
     run: () => start_task("run"),
     report: write_report,
-    convert,
+    convertProgram: convert, // the server has a command `kadr.convert` of its own
     chooseControl: choose_control,
     restart,
   };

@@ -1,4 +1,4 @@
-// "Kadr: Show the path": the view of `kadr report` beside the program. It follows the cursor and moves it, and runs the
+// "Kadr: Show the path": the view of `kadr report` next to the program. It follows the cursor and moves it, and runs the
 // program again when its text changes.
 import { dirname, resolve } from "node:path";
 import * as vscode from "vscode";

@@ -52,7 +52,7 @@ function above(folder: string, name: string): string | null {
   return folder === dirname(folder) ? null : above(dirname(folder), name);
 }
 
-/// Returns the data inside a report; null if it is none.
+/// Returns the data inside a report; null if the page is no report.
 export function data_of(html: string): string | null {
   return /<script id="kadr-data" type="text\/plain">([^<]*)<\/script>/.exec(html)?.[1] ?? null;
 }

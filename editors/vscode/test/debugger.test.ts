@@ -27,8 +27,11 @@ beforeEach(async () => {
 afterEach(async () => {
   if (!skip) await client.stop();
 });
-const value = async (expression: string): Promise<number> =>
-  Number((await client.evaluateRequest({ expression, frameId: 1 })).body.result.replace(/[^-\d.]/g, ""));
+async function value(expression: string): Promise<number> {
+  const frameId = (await client.stackTraceRequest(thread)).body.stackFrames[0]!.id;
+  const { result } = (await client.evaluateRequest({ expression, frameId })).body;
+  return Number(result.replace(/[^-\d.]/g, ""));
+}
 
 test("a program runs to its end", { skip }, async () => {
   await Promise.all([client.configurationSequence(), client.launch(launch), client.waitForEvent("terminated")]);
