@@ -19,4 +19,6 @@ it("comments are found in brackets and behind a semicolon", () => {
   expect(comments_of("M0 (not closed")).toBe("not closed");
   expect(comments_of("M0 ; (x)")).toBe("(x)");
   expect(comments_of("M0 ()")).toBe("");
+  expect(comments_of("M0 R1=(2+3) ; TURN THE PART", "sinumerik")).toBe("TURN THE PART");
+  expect(comments_of('MSG("A;B"<<(R1))', "sinumerik")).toBe("");
 });

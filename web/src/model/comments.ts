@@ -1,7 +1,21 @@
-// The comments of a line of a program: in brackets, or behind a semicolon.
+// The comments of a line of a program: in brackets, or behind a semicolon. On a Sinumerik brackets are code, and a
+// semicolon in quotation marks is text.
+
+/// Returns true for a control whose comments stand behind a semicolon only.
+export function only_semicolons(control: string | undefined): boolean {
+  return control === "sinumerik";
+}
+
+function behind_semicolon(line: string): string {
+  const quoted = /"[^"]*"?/g;
+  const bare = line.replace(quoted, (text) => " ".repeat(text.length));
+  const semicolon = bare.indexOf(";");
+  return semicolon < 0 ? "" : line.slice(semicolon + 1).trim();
+}
 
 /// Returns the texts of all comments of a line, joined; empty if it has none.
-export function comments_of(line: string): string {
+export function comments_of(line: string, control?: string): string {
+  if (only_semicolons(control)) return behind_semicolon(line);
   const found: string[] = [];
   let rest = line;
   for (;;) {

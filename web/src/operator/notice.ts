@@ -15,6 +15,7 @@ export class Notice {
     private operator: Operator,
     private blocks: Blocks,
     private to_line: (line: number) => void,
+    private control: () => string | undefined,
   ) {}
 
   show(p: Panel | null): void {
@@ -55,7 +56,7 @@ export class Notice {
   private stop(p: Panel): string {
     if (!p.why || p.mode !== "standing") return "";
     if (p.why === "restart") return t("why_restart");
-    const said = p.stop_line ? comments_of(p.stop_text ?? this.blocks.line(p.stop_line)) : "";
+    const said = p.stop_line ? comments_of(p.stop_text ?? this.blocks.line(p.stop_line), this.control()) : "";
     return said ? `${p.why}: ${said}` : t("stands_by", { code: p.why });
   }
 

@@ -70,7 +70,7 @@ export class OperatorScreen {
     this.overrides = new OverrideRows(operator);
     this.readout = new Readout(operator);
     this.blocks = new Blocks(operator, to_line);
-    this.notice = new Notice(operator, this.blocks, to_line);
+    this.notice = new Notice(operator, this.blocks, to_line, () => app.opened?.control.id);
     this.messages = new MessagesTab(operator, panes.panel.shift.element, panes.problems, this.overrides, to_line);
     this.program = new ProgramTab(panes.scene, panes.source, panes.files, app);
     this.tool = new ToolTab(app, operator, panes.panel);
