@@ -52,6 +52,7 @@ void BlockRun::scale_feed() {
 
 /// CHR, CHF and RND need a motion in their block (spec/sinumerik 12.4, 18: 10882).
 Status BlockRun::corner_words() const {
+  if (own_.words.numbers.empty()) return {};
   for (const char* const name : {"CHR", "CHF", "RND"})
     if (own_.words.has(name) && (block_.letters & (m_.letters.axes | letter_bit('I') | letter_bit('J') | letter_bit('K'))) == 0)
       return fail(alarm(AlarmId::corner_illegal, own_.words.where(name)));

@@ -6,63 +6,10 @@
 
 #include "base/ascii.h"
 #include "base/tolerance.h"
-#include "control/sinumerik/sinumerik.h"
+#include "control/sinumerik/cycle_steps.h"
 
 namespace kadr::sinumerik {
 namespace {
-
-struct CycleStep {
-  enum class Kind : std::uint8_t { rapid, feed, dwell, spindle, stop };
-  Kind kind = Kind::rapid;
-  Axes to{};
-  AxisMask named = 0;
-  double value = 0;  // feed in mm/min, 0: the feed in force; seconds
-  SpindleDir dir = SpindleDir::stop;
-  double angle = 0;
-};
-
-/// A cycle as its steps.
-class CycleSteps final : public SteppedCycleValue<CycleSteps> {
- public:
-  explicit CycleSteps(std::vector<CycleStep> steps) : steps_(std::move(steps)) {}
-
-  Result<bool> next(Emitter& m) override {
-    for (std::size_t i = 0; i < at_a_time && at_ < steps_.size(); ++i) KADR_TRY(execute(m, steps_[at_++]));
-    return at_ < steps_.size();
-  }
-
- private:
-  static constexpr std::size_t at_a_time = 8;
-
-  static Status execute(Emitter& m, const CycleStep& step) {
-    Axes to = m.position.programmed;
-    for (std::size_t a = 0; a < m.axis_count; ++a)
-      if ((step.named >> a & 1U) != 0) to[a] = step.to[a];
-    switch (step.kind) {
-      case CycleStep::Kind::rapid: return m.straight(MotionKind::rapid, to, step.named);
-      case CycleStep::Kind::feed: {
-        const double feed = m.modal.feed;
-        const FeedMode mode = m.modal.feed_mode;
-        if (step.value > 0) m.modal.feed = step.value, m.modal.feed_mode = FeedMode::per_minute;
-        const Status moved = m.straight(MotionKind::feed, to, step.named);
-        m.modal.feed = feed;
-        m.modal.feed_mode = mode;
-        return moved;
-      }
-      case CycleStep::Kind::dwell: m.emit(Dwell{step.value}); return {};
-      case CycleStep::Kind::spindle:
-        m.modal.spindle = step.dir == SpindleDir::position ? SpindleDir::stop : step.dir;
-        if (step.dir == SpindleDir::position) m.emit(Spindle{step.dir, 0, 1, std::nullopt, step.angle});
-        else m.emit(Spindle{step.dir, step.dir == SpindleDir::stop ? 0 : m.modal.rpm});
-        return {};
-      case CycleStep::Kind::stop: m.emit(Stop{false}); return {};
-    }
-    return {};
-  }
-
-  std::vector<CycleStep> steps_;
-  std::size_t at_ = 0;
-};
 
 /// Works out the steps of one call.
 class CycleMaker {
@@ -73,7 +20,7 @@ class CycleMaker {
   std::vector<CycleStep> steps;
 
   Status run(const std::string& name) {
-    if (name == "HOLES1" || name == "HOLES2" || name == "CYCLE801") return pattern(name);
+    if (name == "HOLES1" || name == "HOLES2" || name == "CYCLE801" || name == "CYCLE802") return pattern(name);
     return drill(name, arguments_);
   }
 
@@ -155,6 +102,10 @@ class CycleMaker {
 
   // NOLINTNEXTLINE(readability-function-size): the steps of each cycle, as the manual lists them
   Status drill_by_arguments(const std::string& name) {
+    if (name == "CYCLE840") {
+      KADR_TRY(levels());
+      return tap_in_chuck();
+    }
     const bool known = name.size() == 7 && name.starts_with("CYCLE8") && name[6] >= '1' && name[6] <= '9';
     if (!known) return fail(alarm(AlarmId::not_available, where_, std::string_view(name)));
     KADR_TRY(levels());
@@ -245,24 +196,52 @@ class CycleMaker {
     return {};
   }
 
+  /// CYCLE840: tapping with a compensating chuck. Without an encoder (ENC 1) and without a pitch the feed is F (spec/sinumerik 14.2).
+  Status tap_in_chuck() {
+    const auto pitch = pitch_of(std::fabs(number(9)), std::fabs(number(10)));
+    const bool plain = number(8) == 1;
+    if (!pitch || (*pitch == 0 && !plain)) return fail(alarm(AlarmId::cycle_lead, where_));
+    const SpindleDir turning = m_.modal.spindle;
+    if (turning != SpindleDir::cw && turning != SpindleDir::ccw) return fail(alarm(AlarmId::cycle_direction, where_, 0.0));
+    if (!(m_.modal.rpm > 0)) return fail(alarm(AlarmId::speed_missing, where_));
+    const double value = m_.modal.rpm * *pitch;
+    if (value == 0) KADR_TRY(m_.feed_known(where_));
+    SpindleDir back = turning == SpindleDir::cw ? SpindleDir::ccw : SpindleDir::cw;
+    if (number(6) != 0) {
+      const auto stated = direction(6);
+      if (!stated) return fail(stated.error());
+      back = *stated;
+    }
+    rapid(level_);
+    feed(depth_, value);
+    if (plain) KADR_TRY(dwell(number(5)));
+    spindle(back);
+    feed(level_, value);
+    rapid(retract_);
+    if (number(7) == 3) spindle(SpindleDir::cw);
+    if (number(7) == 4) spindle(SpindleDir::ccw);
+    if (number(7) == 5) spindle(SpindleDir::stop);
+    return {};
+  }
+
   /// CYCLE84: rigid tapping.
   Status tap() {
-    constexpr std::pair<double, double> sizes[] = {{3, 0.5},  {4, 0.7},  {5, 0.8},  {6, 1},    {8, 1.25}, {10, 1.5}, {12, 1.75},
-                                                   {14, 2},   {16, 2},   {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3},   {27, 3},
-                                                   {30, 3.5}, {33, 3.5}, {36, 4},   {39, 4},   {42, 4.5}, {45, 4.5}, {48, 5}};
-    double pitch = std::fabs(number(8));
-    const double size = std::fabs(number(7));
-    if (size != 0) {
-      const auto row = std::find_if(std::begin(sizes), std::end(sizes), [&](const auto& each) { return each.first == size; });
-      if (row == std::end(sizes) || (pitch != 0 && std::fabs(pitch - row->second) > 1e-9)) return fail(alarm(AlarmId::cycle_lead, where_));
-      pitch = row->second;
-    }
-    if (!(pitch > 0)) return fail(alarm(AlarmId::cycle_lead, where_));
-    if (number(15) != 0) return fail(alarm(AlarmId::not_available, where_, "CYCLE84 _VARI"));
+    const auto found = pitch_of(std::fabs(number(7)), std::fabs(number(8)));
+    if (!found || !(*found > 0)) return fail(alarm(AlarmId::cycle_lead, where_));
+    const double pitch = *found;
+    const double kind = number(15), stroke = number(16), back_by = number(17) > 0 ? number(17) : 1;
+    if (kind != 0 && kind != 1 && kind != 2) return fail(alarm(AlarmId::not_available, where_, "CYCLE84 _VARI"));
+    if (kind != 0 && !(stroke > 0)) return fail(alarm(AlarmId::value_out_of_range, where_, "_DAM", stroke));
+    const double whole = std::fabs(reference_ - depth_);
+    if (kind != 0 && whole / stroke > 10'000) return fail(alarm(AlarmId::cycle_endless, where_));
     const double speed = number(10), back = number(11) > 0 ? number(11) : speed;
     if (!(speed > 0)) return fail(alarm(AlarmId::speed_missing, where_));
     rapid(level_);
     spindle(SpindleDir::position, number(9));
+    for (double depth = stroke; kind != 0 && depth < whole - tol::same_point; depth += stroke) {  // 1 chip breaking, 2 swarf removal
+      feed(reference_ + down_ * depth, speed * pitch);
+      feed(kind == 1 ? reference_ + down_ * (depth - back_by) : level_, back * pitch);
+    }
     feed(depth_, speed * pitch);
     KADR_TRY(dwell(number(5)));
     feed(level_, back * pitch);
@@ -300,9 +279,8 @@ class CycleMaker {
 
   // ---- patterns
 
-  Status pattern(const std::string& name) {
+  Status positions(const std::string& name, std::vector<Vec2>& holes) const {
     const PlaneAxes plane = m_.modal.axes;
-    std::vector<Vec2> holes;
     constexpr double most = 10'000;
     if (name == "HOLES1") {
       const double count = std::round(number(5));
@@ -324,17 +302,41 @@ class CycleMaker {
         const SinCos turn = sincos_deg(number(3) + i * step);
         holes.push_back({number(0) + number(2) * turn.cos, number(1) + number(2) * turn.sin});
       }
+    } else if (name == "CYCLE802") {
+      return single_positions(holes);
     } else {
-      KADR_TRY(grid(holes));
+      return grid(holes);
     }
-    const Sinumerik& own = sinumerik_of(m_);
+    return {};
+  }
+
+  /// CYCLE802: up to nine positions. INFERRED: the digits of _XA and _YA are 1 for an absolute position; other digits are refused.
+  Status single_positions(std::vector<Vec2>& holes) const {
+    for (std::size_t i = 0; i < 9 && given(2 + 2 * i) && given(3 + 2 * i); ++i) holes.push_back({number(2 + 2 * i), number(3 + 2 * i)});
+    if (holes.empty()) return fail(alarm(AlarmId::pattern_empty, where_));
+    for (const std::size_t mode : {std::size_t{0}, std::size_t{1}}) {
+      const std::string digits = std::to_string(std::llround(number(mode)));
+      if (given(mode) && digits.find_first_not_of('1') != std::string::npos)
+        return fail(alarm(AlarmId::not_available, where_, "CYCLE802 _XA, _YA"));
+    }
+    return {};
+  }
+
+  Status pattern(const std::string& name) {
+    const PlaneAxes plane = m_.modal.axes;
+    std::vector<Vec2> holes;
+    KADR_TRY(positions(name, holes));
+    Sinumerik& own = sinumerik_of(m_);
     const auto& modal = own.memory.levels.back().modal_call;
+    if (modal && (!Sinumerik::is_cycle(modal->name) || own.find_program(m_, modal->name))) {
+      own.memory.pattern = Pattern{holes, 0, m_.program().depth()};  // finish() calls the program at each position
+      return {};
+    }
     for (const Vec2 hole : holes) {
       in_plane(hole.x, hole.y);
       at_[plane.first] = hole.x;
       at_[plane.second] = hole.y;
       if (!modal) continue;
-      if (!Sinumerik::is_cycle(modal->name)) return fail(alarm(AlarmId::not_available, where_, std::string_view("MCALL " + modal->name)));
       KADR_TRY(drill(modal->name, modal->arguments));
     }
     return {};
@@ -345,10 +347,14 @@ class CycleMaker {
     const double columns = std::round(number(5)), rows = std::round(number(6));
     if (!(columns >= 1) || !(rows >= 1)) return fail(alarm(AlarmId::pattern_empty, where_));
     if (columns * rows > 10'000) return fail(alarm(AlarmId::value_out_of_range, where_, "NUM", columns * rows));
-    if (number(7) != 0) return fail(alarm(AlarmId::not_available, where_, "CYCLE801 _VARI"));
+    if (number(7) != 0 && number(7) != 1) return fail(alarm(AlarmId::not_available, where_, "CYCLE801 _VARI"));
+    if (number(9) != 0 || number(10) != 0) return fail(alarm(AlarmId::not_available, where_, "CYCLE801 _ANG1, _ANG2"));
+    const bool frame = number(7) == 1;
     const SinCos turn = sincos_deg(number(2));
     for (double r = 0; r < rows; ++r)
       for (double c = 0; c < columns; ++c) {
+        const double column = std::fmod(r, 2) == 0 ? c : columns - 1 - c;
+        if (frame && r > 0 && r < rows - 1 && column > 0 && column < columns - 1) continue;
         const double x = (std::fmod(r, 2) == 0 ? c : columns - 1 - c) * number(3), y = r * number(4);
         holes.push_back({number(0) + x * turn.cos - y * turn.sin, number(1) + x * turn.sin + y * turn.cos});
       }

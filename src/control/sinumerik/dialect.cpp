@@ -225,6 +225,7 @@ Status Sinumerik::begin_pass(Interpreter& m) {
 
 bool Sinumerik::end_program(Interpreter& m) {
   memory.repeated.clear();
+  memory.pattern.reset();
   memory.levels.erase(memory.levels.begin() + 1, memory.levels.end());
   level().modal_call.reset();
   m.flow.frames().clear();

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/ascii.h"
 #include "control/sinumerik/sinumerik.h"
 
 namespace kadr::sinumerik {

@@ -244,8 +244,34 @@ Status Sinumerik::call_part(Interpreter& m, const NamedBlock& block) {
   return {};
 }
 
+Result<bool> Sinumerik::next_position(Interpreter& m) {
+  Pattern& pattern = *memory.pattern;
+  const auto& modal = level().modal_call;
+  const auto found = modal ? find_program(m, modal->name) : std::nullopt;
+  if (pattern.next >= pattern.at.size() || !found) {
+    memory.pattern.reset();
+    return true;
+  }
+  const Vec2 at = pattern.at[pattern.next++];
+  const PlaneAxes plane = m.modal.axes;
+  Axes to = m.position.programmed;
+  to[plane.first] = at.x;
+  to[plane.second] = at.y;
+  const ModalCall called = *modal;
+  const auto stop = [&](const Alarm& fault) -> Result<bool> {
+    memory.pattern.reset();
+    return fail(fault);
+  };
+  if (const Status moved = m.straight(MotionKind::rapid, to, AxisMask{1} << plane.first | AxisMask{1} << plane.second); !moved)
+    return stop(moved.error());
+  if (const Status begun = call(m, *found, called.name, called.arguments, {}, !called.arguments.empty(), 1, m.block->where); !begun)
+    return stop(begun.error());
+  return true;
+}
+
 /// Ends a repeated part, or a program whose last block was executed.
 Result<bool> Sinumerik::finish(Interpreter& m) {
+  if (memory.pattern && memory.pattern->depth == m.program().depth()) return next_position(m);
   const Position next = m.program().position();
   if (!memory.repeated.empty() && memory.repeated.back().depth == m.program().depth()) {
     if (next.offset < memory.repeated.back().end.offset && next.offset >= memory.repeated.back().begin.offset) return false;

@@ -54,6 +54,13 @@ struct RepeatedPart {
   std::size_t depth = 0;
 };
 
+/// HOLES1 and other patterns with MCALL of a program: the positions that follow, and the number of calls that were open.
+struct Pattern {
+  std::vector<Vec2> at;
+  std::size_t next = 0;
+  std::size_t depth = 0;
+};
+
 /// The motion of group 1 that is no G code of the table.
 enum class NamedMotion : std::uint8_t { none, through_point, tangent, thread };
 
@@ -91,6 +98,7 @@ struct Memory : Modes {
   NamedMacros macros;           // DEFINE, of the program and the definition files
   bool globals_loaded = false;  // the definition files were looked for
   std::vector<RepeatedPart> repeated;
+  std::optional<Pattern> pattern;
   std::vector<Frame> settable = std::vector<Frame>(settable_frames);
   std::map<std::pair<std::uint32_t, std::uint32_t>, ToolOffset> edges;  // of $TC_DP: {tool, edge}; edge 1 is in Tables::offsets too
   std::map<std::pair<std::string, int>, double> stored;                 // $AC_MARKER[n], $AC_PARAM[n]

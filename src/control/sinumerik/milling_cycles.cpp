@@ -81,11 +81,13 @@ class MillMaker {
     if (!(radius_ > 0)) return fail(alarm(AlarmId::pocket_tool_missing, where_, double(m_.modal.tool)));
     retract_ = number(0), reference_ = number(1);
     level_ = reference_ + std::fabs(number(2));
-    if (!(retract_ >= reference_) || !(number(3) < reference_)) return fail(alarm(AlarmId::cycle_reference_plane, where_));
+    const bool relative = (name == "SLOT1" || name == "LONGHOLE") && given(4) && number(4) != 0;
+    if (!(retract_ >= reference_) || !(relative || number(3) < reference_)) return fail(alarm(AlarmId::cycle_reference_plane, where_));
     const Axes& at = m_.position.programmed;
     const Vec2 here{at[plane.first], at[plane.second]};
     if (at[plane.normal] < retract_) straight(MillStep::Kind::rapid, here, retract_);
     if (name == "CYCLE71") return face();
+    if (name == "SLOT1" || name == "LONGHOLE") return slots(name == "SLOT1");
     return pocket(name == "POCKET3");
   }
 
@@ -145,6 +147,51 @@ class MillMaker {
       if (steps.size() > most_steps) return fail(alarm(AlarmId::cycle_endless, where_));
     }
     straight(MillStep::Kind::rapid, centre_, retract_);
+    return {};
+  }
+
+  /// SLOT1: slots along the rays of a circle, each cleared as a pocket with round ends. LONGHOLE: slots as wide as the cutter, which goes
+  /// down at alternate ends. The slots begin at the distance RAD from the centre (spec/sinumerik 14.5).
+  Status slots(bool wide) {
+    const double count = std::round(number(5)), along = number(6), width = wide ? number(7) : 2 * radius_;
+    const std::size_t base = wide ? 8 : 7;  // CPA
+    const double bottom = given(4) && number(4) != 0 ? reference_ - std::fabs(number(4)) : number(3);
+    if (!(count >= 1) || count > 1000) return fail(alarm(AlarmId::pattern_empty, where_));
+    const double down = number(base + 5), mid = number(base + 7), fal = wide ? std::fabs(number(17)) : 0;
+    feed_ = number(base + 6);
+    if (!(feed_ > 0) || !(down > 0)) KADR_TRY(m_.feed_known(where_));
+    const double a = along / 2 - fal - radius_, b = width / 2 - fal - radius_;
+    if (a < -tol::same_point || b < -tol::same_point) return fail(alarm(AlarmId::pocket_tool_large, where_, 2 * radius_, along, width));
+    if (wide && number(18) != 0 && number(18) != 1) return fail(alarm(AlarmId::not_available, where_, "SLOT1 VARI"));
+    width_ = 1.6 * radius_;
+    const int direction = wide ? static_cast<int>(std::lround(number(16))) : 0;
+    const bool climb_is_ccw = m_.modal.spindle != SpindleDir::ccw;
+    cw_ = direction == 2 || (direction == 1 && climb_is_ccw) || (direction == 0 && !climb_is_ccw);
+    const double first = number(base + 3), turn = number(base + 4) != 0 ? number(base + 4) : 360 / count;
+    std::vector<double> all;
+    KADR_TRY(depths(mid, bottom, all));
+    for (double i = 0; i < count; ++i) {
+      turn_ = sincos_deg(first + i * turn);
+      const double middle = number(base + 2) + along / 2;
+      centre_ = Vec2{number(base), number(base + 1)} + Vec2{middle * turn_.cos, middle * turn_.sin};
+      const double high = i == 0 ? retract_ : level_;
+      const Vec2 begin = wide ? centre_ : placed(-a, 0);
+      straight(MillStep::Kind::rapid, begin, high);
+      straight(MillStep::Kind::rapid, begin, level_);
+      double end = -1;
+      for (const double height : all) {
+        if (wide) {
+          plunge(height, down, 0, 0);
+          rings(std::max(a, 0.0), std::max(b, 0.0), std::max(b, 0.0));
+        } else {
+          straight(MillStep::Kind::feed, placed(end * a, 0), height, down);
+          end = -end;
+          straight(MillStep::Kind::feed, placed(end * a, 0), height, feed_);
+        }
+        if (steps.size() > most_steps) return fail(alarm(AlarmId::cycle_endless, where_));
+      }
+      straight(MillStep::Kind::rapid, steps.back().to, i + 1 < count ? level_ : retract_);
+    }
     return {};
   }
 
@@ -246,7 +293,9 @@ class MillMaker {
 
 }  // namespace
 
-bool Sinumerik::is_milling_cycle(std::string_view name) { return name == "POCKET3" || name == "POCKET4" || name == "CYCLE71"; }
+bool Sinumerik::is_milling_cycle(std::string_view name) {
+  return name == "POCKET3" || name == "POCKET4" || name == "CYCLE71" || name == "SLOT1" || name == "LONGHOLE";
+}
 
 Status Sinumerik::start_milling(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, where, std::string_view(name)));

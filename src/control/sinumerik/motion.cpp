@@ -240,8 +240,35 @@ void Sinumerik::note_motion(Emitter& m, Motion& motion) {
   previous_ = m.position.work;
 }
 
-/// Plain blocks of lines follow each other without further checks while nothing of the dialect acts between them.
-bool Sinumerik::lines_follow(const BlockContext&) const { return false; }
+/// Plain blocks of lines follow each other without further checks while nothing of the dialect acts between them. G54 puts a settable frame
+/// in force again, so its data must not have changed since.
+bool Sinumerik::lines_follow(const BlockContext& m) const {
+  const Level& own = memory.levels.back();
+  return own.acted && !own.modal_call && memory.motion == NamedMotion::none && !memory.feed_in_mm && memory.override_percent == 100 &&
+         memory.rounding == 0 && !memory.in_space && memory.active == memory.settable[m.modal.work_zero];
+}
+
+/// A run of plain lines leaves blocks with these axes to takes_block(), which refuses the axes that the machine lacks.
+AxisMask Sinumerik::rolling_axes(const BlockContext& m) const {
+  AxisMask missing = 0;
+  for (std::size_t a = 0; a < m.def.axes.size(); ++a)
+    if (a >= m.axis_count || (missing_axes & letter_bit(m.def.axes[a][0])) != 0) missing |= AxisMask{1} << a;
+  return missing;
+}
+
+/// A line of a run of plain lines: it has no transformation, so work coordinates are programmed ones.
+void Sinumerik::note_line(BlockContext& m) {
+  const PlaneAxes plane = m.modal.axes;
+  const Axes& now = m.position.programmed;
+  const Vec2 way = in_plane(now, plane) - in_plane(previous_, plane);
+  if (dot(way, way) > tol::same_point * tol::same_point) {
+    memory.direction = way;
+    memory.direction_plane = plane;
+    memory.has_direction = true;
+  }
+  previous_[plane.first] = now[plane.first];
+  previous_[plane.second] = now[plane.second];
+}
 
 ArcRule Sinumerik::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();

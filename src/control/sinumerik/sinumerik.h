@@ -91,7 +91,7 @@ class Sinumerik final : public Dialect {
 
   // ---- blocks
   bool has_unfinished() const override {
-    return memory.levels.size() > 1 || !memory.repeated.empty() || !memory.levels.front().name.empty();
+    return memory.levels.size() > 1 || memory.pattern || !memory.repeated.empty() || !memory.levels.front().name.empty();
   }
   Result<bool> finish(Interpreter& m) override;
   Result<bool> statement(Interpreter&) override { return false; }
@@ -108,6 +108,8 @@ class Sinumerik final : public Dialect {
   Status arc(Emitter& m, const Call& call, Turn turn) override;
   void note_motion(Emitter& m, Motion& motion) override;
   bool lines_follow(const BlockContext& m) const override;
+  void note_line(BlockContext& m) override;
+  AxisMask rolling_axes(const BlockContext& m) const override;
   ArcRule arc_rule(const BlockContext& m) const override;
   SurfaceSpeed surface_speed(const BlockContext& m) const override;
   void refresh_frames(Emitter& m) override;
@@ -172,6 +174,8 @@ class Sinumerik final : public Dialect {
   /// Reads the definition files (global data, macros) once, before the first block that may use them.
   void load_globals(BlockContext& m);
   Status begin_pass(Interpreter& m);
+  /// Goes to the next position of a pattern, and calls the program of MCALL there. Returns false if no position is left.
+  Result<bool> next_position(Interpreter& m);
   void emit_arc(Emitter& m, Turn turn, const PlaneArc& arc, const Axes& end, AxisMask named);
   // milling_cycles.cpp
   static bool is_milling_cycle(std::string_view name);
