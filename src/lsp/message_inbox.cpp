@@ -25,7 +25,7 @@ void MessageInbox::read(int input) {
     put(std::move(**message));
   }
   const std::lock_guard hold(lock_);
-  closed_ = interrupts_ = true;
+  closed_ = interrupts_ = cancels_ = true;
   changed_.notify_one();
 }
 
@@ -43,6 +43,7 @@ void MessageInbox::put(std::string message) {
   if (!cancels || !json.contains(cancelled) || !is_cancelled(json[cancelled])) {
     const bool is_request = json.is_object() && json.contains("id") && json.contains("method");
     messages_.push_back({std::move(message), is_request ? json["id"] : LspJson()});
+    if (cancels) cancels_ = true;
   }
   interrupts_ = true;
   changed_.notify_one();
@@ -52,7 +53,7 @@ std::optional<MessageInbox::Message> MessageInbox::next(bool waits, const StopTo
   std::unique_lock hold(lock_);
   constexpr std::chrono::milliseconds poll_period(100);  // within this time a stop is noticed
   while (waits && messages_.empty() && !closed_ && !stop.requested()) changed_.wait_for(hold, poll_period);
-  interrupts_ = false;
+  interrupts_ = cancels_ = false;
   if (messages_.empty()) return std::nullopt;
   Message message = std::move(messages_.front());
   messages_.pop_front();

@@ -36,6 +36,8 @@ class MessageInbox {
   bool is_over();
   /// True while a message waits that came after the last call of next().
   const std::atomic<bool>& interrupts() const { return interrupts_; }
+  /// True while a cancellation waits, of a request that has been taken already.
+  const std::atomic<bool>& cancels() const { return cancels_; }
 
  private:
   void read(int input);
@@ -45,7 +47,7 @@ class MessageInbox {
   std::mutex lock_;
   std::condition_variable changed_;
   std::deque<Message> messages_;
-  std::atomic<bool> interrupts_ = false, ends_ = false;
+  std::atomic<bool> interrupts_ = false, cancels_ = false, ends_ = false;
   bool closed_ = false;
   Thread reading_;
 };

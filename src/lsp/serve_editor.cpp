@@ -16,9 +16,8 @@ int serve_editor(int input, int output, Lang lang, const std::string& version, c
   });
   LanguageServer server([&](const std::string& message) { (void)writer.put(message); }, lang, version);
   // A check that is interrupted begins again. An editor that asks without a pause could therefore prevent it permanently, so it is
-  // interrupted at most a few times in a row.
+  // interrupted at most a few times in a row, and then only by a cancellation.
   constexpr int most_interruptions = 3;
-  const std::atomic<bool> never = false;
   int interruptions = 0;
   while (!server.is_over() && !stop.requested()) {
     const bool busy = server.has_work();
@@ -27,7 +26,7 @@ int serve_editor(int input, int output, Lang lang, const std::string& version, c
       if (message->cancelled) server.refuse_cancelled(message->id);
       else server.take(message->text);
     } else if (busy) {
-      server.work(StopToken(interruptions < most_interruptions ? inbox.interrupts() : never));
+      server.work(StopToken(interruptions < most_interruptions ? inbox.interrupts() : inbox.cancels()));
       interruptions = server.has_work() ? interruptions + 1 : 0;
     } else if (inbox.is_over()) {
       break;
