@@ -238,7 +238,7 @@ def check_values(kadr):
     client.start()
     client.go()
     scopes = {s['name']: s['variablesReference'] for s in client.body('scopes', frameId=0)['scopes']}
-    expect(list(scopes) == ['Local variables', 'Positions, mm', 'In force', 'Variables'], f'{scopes}')
+    expect(list(scopes) == ['Positions, mm', 'In force', 'Variables', 'Local variables'], f'no local variable has a value yet: {scopes}')
     values = {name: {v['name']: v['value'] for v in client.body('variables', variablesReference=reference)['variables']} for name, reference in scopes.items()}
     expect(values['Positions, mm']['X'] == '5', f'{values}')
     expect('G90' in values['In force'].values() and values['In force']['F'] == '100', f'{values}')
@@ -389,6 +389,7 @@ def check_local_variables_of_each_frame(kadr):
         for frame in frames:
             scopes = {s['name']: s['variablesReference'] for s in client.body('scopes', frameId=frame['id'])['scopes']}
             found.append({v['name']: v['value'] for v in client.body('variables', variablesReference=scopes['Local variables'])['variables']})
+            expect((list(scopes)[0] == 'Local variables') == bool(found[-1]), f'editors open the first scope: {scopes} {found[-1]}')
         expect(found == wanted, f'{control}: {found}')
         if expression:
             got = [client.body('evaluate', expression=expression, frameId=frame['id'], context='watch')['result'] for frame in frames]

@@ -135,30 +135,6 @@ std::vector<LocalVariables> DebugAdapter::locals() const {
   return snapshot ? local_variables(*snapshot, session_->def()) : std::vector<LocalVariables>();
 }
 
-LspJson DebugAdapter::scopes(const LspJson& arguments) {
-  stepping();
-  const std::size_t frame = session_->control().calls().size() - depth_of_frame(arguments);
-  const auto scope = [](const std::string& name, int reference) {
-    return LspJson{{"name", name}, {"variablesReference", reference}, {"expensive", false}};
-  };
-  LspJson all = LspJson::array();
-  if (!locals().empty()) {
-    all.push_back(scope(translated(texts::dap::locals), locals_of_frame + static_cast<int>(frame)));
-    all.back()["presentationHint"] = "locals";
-  }
-  all.push_back(scope(translated(texts::dap::positions), positions));
-  all.push_back(scope(translated(texts::dap::modes), modes));
-  all.push_back(scope(translated(texts::dap::variables), variables_of_program));
-  return {{"scopes", std::move(all)}};
-}
-
-LspJson DebugAdapter::variables_json(const std::vector<std::pair<std::string, double>>& values) const {
-  LspJson all = LspJson::array();
-  for (const auto& [name, value] : values)
-    all.push_back({{"name", name}, {"value", text_of(value)}, {"evaluateName", name}, {"variablesReference", 0}});
-  return {{"variables", std::move(all)}};
-}
-
 namespace {
 
 /// Returns the variables of the innermost level that a frame with this number of open calls has; nullptr if there is none.
@@ -173,6 +149,31 @@ const double* value_named(const LocalVariables& level, std::string_view name) {
 }
 
 }  // namespace
+
+LspJson DebugAdapter::scopes(const LspJson& arguments) {
+  stepping();
+  const std::size_t frame = session_->control().calls().size() - depth_of_frame(arguments);
+  const auto scope = [](const std::string& name, int reference) {
+    return LspJson{{"name", name}, {"variablesReference", reference}, {"expensive", false}};
+  };
+  LspJson all = {scope(translated(texts::dap::positions), positions), scope(translated(texts::dap::modes), modes),
+                 scope(translated(texts::dap::variables), variables_of_program)};
+  if (const auto levels = locals(); !levels.empty()) {
+    LspJson own = scope(translated(texts::dap::locals), locals_of_frame + static_cast<int>(frame));
+    own["presentationHint"] = "locals";
+    const LocalVariables* const level = level_at(levels, depth_of_frame(arguments));
+    const bool has_values = level != nullptr && !level->values.empty();
+    all.insert(has_values ? all.begin() : all.end(), std::move(own));  // editors open the first scope
+  }
+  return {{"scopes", std::move(all)}};
+}
+
+LspJson DebugAdapter::variables_json(const std::vector<std::pair<std::string, double>>& values) const {
+  LspJson all = LspJson::array();
+  for (const auto& [name, value] : values)
+    all.push_back({{"name", name}, {"value", text_of(value)}, {"evaluateName", name}, {"variablesReference", 0}});
+  return {{"variables", std::move(all)}};
+}
 
 LspJson DebugAdapter::variables(const LspJson& arguments) {
   const LspJson& number = member(arguments, "variablesReference");

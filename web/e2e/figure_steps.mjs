@@ -8,9 +8,15 @@ export function figure_steps({ kadr, page, pictures, only }) {
     await page.goto(`${new URL(kadr.address()).origin}/`);
     await until("the files", () => count(".file-row"));
     if (!only) await ended();
-    await page.click(".crumbs button >> nth=0");
-    await page.click(`.file-row:has(.file-name:text-is("${name}"))`);
-    await until("its name", async () => (await text(".source .pane-title")).includes(name));
+    // The program that was open last may arrive meanwhile, and its folder with it: then the name is clicked again.
+    const is_open = async () => (await text(".source .pane-title")).includes(name),
+      row = page.locator(`.file-row:has(.file-name:text-is("${name}"))`);
+    await until("its name", async () => {
+      if (await is_open()) return true;
+      if (!(await row.count())) await page.click(".crumbs button >> nth=0", { timeout: 3000 }).catch(() => {});
+      await row.click({ timeout: 3000 }).catch(() => {});
+      return until("it is open", is_open, 5000).catch(() => false);
+    });
     await ended();
     await page.selectOption(".choices select[aria-label='Control']", "fanuc");
     await page.waitForTimeout(300);
