@@ -41,6 +41,7 @@ void OpenDocument::reopen(const DocumentChoice& choice) {
   const std::string before = opened_ ? opened_->def->id : std::string();
   choice_ = choice;
   checked_ = has_results_ = false;
+  check_memory_ = {};
   OpeningRequest request{path, choice.control, choice.machine, choice.setup, {}, text_.text()};
   request.lang = choice.lang;
   auto opened = open_for_page(request);
@@ -93,6 +94,7 @@ bool OpenDocument::find_faults(const StopToken& stop) {
     no_control_ = program.error();
     return true;
   }
+  program->source = check_memory_.follow(std::move(program->source));
   auto session = Session::open(spec_of(*opened_, std::move(*program), stop));
   if (!session) {
     no_control_ = choice_.lang == Lang::ru ? session.error().fault.ru : session.error().fault.en;
@@ -103,7 +105,7 @@ bool OpenDocument::find_faults(const StopToken& stop) {
                  if (report.alarm.id != AlarmId::interrupted) add(report, found);
                  return found.size() < max_findings;
                })
-      .check(**session);
+      .check(**session, &check_memory_);
   if (stop.requested()) return false;
   findings_ = std::move(found);
   return true;

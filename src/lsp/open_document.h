@@ -12,6 +12,7 @@
 #include "lsp/text_document.h"
 #include "out/text/alarm_print.h"
 #include "out/text/quick_fix.h"
+#include "session/checklist/check_memory.h"
 #include "view/opening.h"
 
 namespace kadr {
@@ -84,6 +85,7 @@ class OpenDocument {
   std::string no_control_;
   std::vector<DocumentFinding> findings_;
   std::vector<LineResult> results_;  // by line, from 0
+  CheckMemory check_memory_;         // the last check, of an earlier text
   bool checked_ = false, has_results_ = false;
 };
 

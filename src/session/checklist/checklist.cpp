@@ -59,7 +59,7 @@ Checklist::Checklist(Session& session, std::size_t channel, ChecklistBasis basis
       channel_(channel),
       basis_(std::move(basis)),
       roles_(AxisRoles::of(session.channels()[channel].control->axes(), session.channels()[channel].control->rotary())),
-      steps_(roles_, session.stand(channel)),
+      steps_(std::in_place, roles_, session.stand(channel)),
       lathe_(stated_rapids(session, channel), session.channels()[channel].setup.chuck_face) {}
 
 void Checklist::attach() {
@@ -67,7 +67,7 @@ void Checklist::attach() {
 }
 
 void Checklist::take(const Action& action) {
-  steps_.give(action, [this](const Step& step) {
+  steps_->give(action, [this](const Step& step) {
     tools_.take(step, advices_);
     feeds_.take(step, advices_);
     holes_.take(step, advices_);
@@ -77,13 +77,40 @@ void Checklist::take(const Action& action) {
   });
 }
 
-std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
+void Checklist::resume_from(const Memory& memory) {
+  steps_.emplace(roles_, memory.stands);
+  advices_ = memory.advices;
+  tools_ = memory.tools;
+  feeds_ = memory.feeds;
+  holes_ = memory.holes;
+  levels_ = memory.levels;
+  path_ = memory.path;
+  lathe_ = memory.lathe;
+}
+
+TextWatch Checklist::read_text(std::shared_ptr<const ControlDef> def, const StopToken& stop, TextPlaces* places) const {
+  const Channel& channel = session_.channels()[channel_];
+  const TextReading* const before = places == nullptr ? nullptr : places->last();
+  TextWatch text = before == nullptr ? TextWatch(def, most_rpm_of(session_.machine(), channel.setup)) : before->watch;
+  const auto source = channel.control->source_of(0);
+  if (!source) return text;
+  const auto noted = std::make_shared<NotedSource>(source);
+  const auto from = before == nullptr ? std::optional<TextWatch::Place>() : before->place;
+  const auto store = [&](const TextWatch::Place& place) {
+    if (places->wants(noted->known(), noted->size())) places->store(noted->known(), {text, place});
+  };
+  text.read(BlockReader(noted, def->grammar, channel.control->encoding()), stop, from,
+            places == nullptr ? std::function<void(const TextWatch::Place&)>() : store);
+  return text;
+}
+
+std::vector<AlarmReport> Checklist::reports(const StopToken& stop, TextPlaces* places) {
   const Control& control = *session_.channels()[channel_].control;
-  ControlDef def = session_.def();
+  auto fitted = std::make_shared<ControlDef>(session_.def());
+  const ControlDef& def = *fitted;
   // the result of fit_to_machine() is ignored, since faults of the set-up have been reported before the run
-  (void)fit_to_machine(def, session_.channels()[channel_].setup);
-  TextWatch text(def, most_rpm_of(session_.machine(), session_.channels()[channel_].setup));
-  if (const auto source = control.source_of(0)) text.read(BlockReader(source, def.grammar, control.encoding()), stop);
+  (void)fit_to_machine(*fitted, session_.channels()[channel_].setup);
+  TextWatch text = read_text(fitted, stop, places);
   Advices advices = advices_;
   tools_.finish(system_names(def), advices);
   feeds_.finish(text.teeth(), advices);

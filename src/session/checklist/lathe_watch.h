@@ -24,8 +24,8 @@ class LatheWatch {
   void take_thread(const Step& step, const Motion& motion, Advices& to);
   SpindleTurning& spindle(std::size_t number);
 
-  const Axes rapid_;
-  const std::optional<double> chuck_face_;
+  Axes rapid_;
+  std::optional<double> chuck_face_;
   std::vector<SpindleTurning> spindles_;  // the index is the number of the spindle
   bool unlimited_reported_ = false;
 };

@@ -15,6 +15,8 @@
 
 namespace kadr {
 
+class CheckMemory;
+
 class ProgramCheck {
  public:
   /// A function of the caller that receives the findings in this order: faults, checklist, unstated values. It returns false to receive no
@@ -33,15 +35,19 @@ class ProgramCheck {
 
   /// Runs a session that has not started, and reports the findings. If a file contains several programs, they are checked one after the
   /// other, and a finding that they have in common is reported once.
-  void check(Session& session);
+  ///   memory  what the last check of the text has stored, if the session has a single channel and reads the source that
+  ///           CheckMemory::follow() returned; nullptr: the check begins at the start and stores nothing
+  void check(Session& session, CheckMemory* memory = nullptr);
 
  private:
   struct OfChannel;
   bool take(std::size_t channel, OfChannel& of, const AlarmReport& report);
+  void run(Session& session, OfChannel& of, CheckMemory& memory);
 
   const CheckRequest request_;
   const Take take_;
-  bool only_subprograms_ = false;  // true: the file contains only subprograms, so it is not run and needs no end of program
+  bool only_subprograms_ = false;   // true: the file contains only subprograms, so it is not run and needs no end of program
+  CheckMemory* running_ = nullptr;  // notes the findings of the run
   // findings that have already been reported, by channel: file, line, column, alarm id
   std::vector<std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, AlarmId>>> seen_;
 };

@@ -61,13 +61,13 @@ Origin TextWatch::origin_of(const Block& block) {
 
 const CodeRow* TextWatch::row(const Word& word) const {
   if (word.code < 0 || word.expression) return nullptr;
-  const std::int32_t at = def_.row_of(word.address, word.code);
-  return at < 0 ? nullptr : &def_.codes[static_cast<std::size_t>(at)];
+  const std::int32_t at = def().row_of(word.address, word.code);
+  return at < 0 ? nullptr : &def().codes[static_cast<std::size_t>(at)];
 }
 
 bool TextWatch::is_axis(char letter) const {
   if (letter < 'A' || letter > 'Z') return false;
-  const Function function = def_.address(letter).function;
+  const Function function = def().address(letter).function;
   return function == Function::axis || function == Function::machine_axis;
 }
 
@@ -85,8 +85,8 @@ void TextWatch::add(AlarmId id, const Origin& origin, Span where, Args... args) 
 /// intended there.
 void TextWatch::take_points(const Block& block) {
   const auto is_turning_cycle = [&](const Word& w) {
-    const std::int32_t row = w.code < 0 ? -1 : def_.row_of(w.address, w.code);
-    return row >= 0 && def_.codes[static_cast<std::size_t>(row)].function == Function::turning_cycle;
+    const std::int32_t row = w.code < 0 ? -1 : def().row_of(w.address, w.code);
+    return row >= 0 && def().codes[static_cast<std::size_t>(row)].function == Function::turning_cycle;
   };
   if (std::any_of(block.words.begin(), block.words.begin() + block.word_count, is_turning_cycle)) return;
   if (has_code(block, 'G', 4_g) || has_code(block, 'G', 10_g) || has_code(block, 'G', 65_g) || has_code(block, 'G', 66_g)) return;
@@ -94,16 +94,16 @@ void TextWatch::take_points(const Block& block) {
     const Word& w = block.words[i];
     if (w.address < 'A' || w.address > 'Z' || w.address == 'Q' || w.expression || w.code >= 0 || w.value == 0) continue;
     if (w.has_point) {
-      with_point_ += def_.grammar.word(w.address).counted != 0;
+      with_point_ += def().grammar.word(w.address).counted != 0;
     } else if (w.counted != 0) {
       ++without_point_;
       if (pointless_.size() >= max_found) continue;
       // in inch programs the increment of a length is 0.0001 in (spec/fanuc 1.3), so the value is a tenth of that in the word format
-      const bool finer = inch_ && def_.address(w.address).unit != WordUnit::angle;
+      const bool finer = inch_ && def().address(w.address).unit != WordUnit::angle;
       const std::string read = fmt::format("{:g} {}", finer ? w.value / 10 : w.value,
-                                           def_.address(w.address).unit == WordUnit::angle ? "°"
-                                           : inch_                                         ? "in"
-                                                                                           : "mm");
+                                           def().address(w.address).unit == WordUnit::angle ? "°"
+                                           : inch_                                          ? "in"
+                                                                                            : "mm");
       pointless_.push_back({advice(AlarmId::point_forgotten, w.where, AlarmArg(block.text_of(w.where)), AlarmArg(std::string_view(read))),
                             origin_of(block)});
     }
@@ -271,10 +271,11 @@ void TextWatch::take(const Block& block) {
   take_cycle(block);
 }
 
-void TextWatch::read(BlockReader reader, const StopToken& stop) {
-  constexpr unsigned now_and_then = 4096;
+void TextWatch::read(BlockReader reader, const StopToken& stop, const std::optional<Place>& from,
+                     const std::function<void(const Place&)>& meet) {
+  constexpr unsigned now_and_then = 4096, between_places = 1024;
+  const BlockReader::Memory fresh = reader.memory();
   const auto each = [&](auto&& take_block) {
-    const BlockReader::Memory fresh = reader.memory();
     Block block;
     for (unsigned n = 0; n % now_and_then != 0 || !stop.requested(); ++n) {
       block.clear();
@@ -283,12 +284,20 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
       if (*got == BlockReader::Got::end) break;
       take_block(block);
     }
-    reader.resume_from(fresh);
-    reader.seek({});
   };
-  each([this](const Block& block) { take(block); });
+  if (from) {
+    reader.resume_from(from->reader);
+    reader.seek(from->position);
+  }
+  unsigned blocks = 0;
+  each([&](const Block& block) {
+    take(block);
+    if (meet && ++blocks % between_places == 0) meet({reader.position(), reader.memory()});
+  });
   const bool jumps = std::any_of(sections_.begin(), sections_.end(), [](const Section& s) { return !s.jumps.empty(); });
   if (!jumps) return;
+  reader.resume_from(fresh);
+  reader.seek({});
   std::size_t at = 0;
   bool first = true;
   each([&](const Block& block) {
@@ -318,7 +327,7 @@ void TextWatch::finish(Advices& to) {
       if (found == s.twice.end()) to.add(AlarmId::jump_to_nowhere, origin, 0, double(target));
       else if (found->second > 1) to.add(AlarmId::jump_to_two, origin, 0, double(target));
     }
-    if (s.after_end && !s.has_targets && !has_o_words_ && !def_.has_lines_alone())
+    if (s.after_end && !s.has_targets && !has_o_words_ && !def().has_lines_alone())
       to.add(AlarmId::lines_unreachable, *s.after_end, 0, double(s.lines_after_end));
     // a program with at least this number may be called by a code that a parameter defines, so the text need not call it
     constexpr std::uint32_t of_codes = 9000;

@@ -2,7 +2,9 @@
 // TextWatch: finds problems in the text of a program without executing it, by reading it block by block from beginning to end.
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,10 +22,18 @@ class TextWatch {
  public:
   /// `most_rpm`: the highest spindle speed of the machine, rev/min; 0: unknown. A higher S word is reported, since a control may reduce the
   /// speed without a message.
-  TextWatch(const ControlDef& def, double most_rpm) : def_(def), most_rpm_(most_rpm) {}
+  TextWatch(std::shared_ptr<const ControlDef> def, double most_rpm) : definition_(std::move(def)), most_rpm_(most_rpm) {}
 
+  /// A place between two blocks of the text, at which a reader can continue.
+  struct Place {
+    Position position;
+    BlockReader::Memory reader;
+  };
   /// Reads the whole text. A request to stop is checked every few thousand blocks.
-  void read(BlockReader reader, const StopToken& stop);
+  ///   from  a place up to which this object, or the one of which it is a copy, has read the text already
+  ///   meet  receives a place every thousand blocks; a copy of this object, made then, can continue there
+  void read(BlockReader reader, const StopToken& stop, const std::optional<Place>& from = {},
+            const std::function<void(const Place&)>& meet = {});
   void finish(Advices& to);
   /// Returns the number of teeth by tool number, from comments such as "4 FLUTE" or "4FL".
   const std::map<std::uint32_t, int>& teeth() const { return teeth_; }
@@ -54,6 +64,7 @@ class TextWatch {
   void take_comments(const Block& block);
   void take_numbers(const Word& word);
   void note_call(const Block& block, const Word& code);
+  const ControlDef& def() const { return *definition_; }
   bool is_axis(char letter) const;
   bool moves(const Block& block) const;
   const CodeRow* row(const Word& word) const;
@@ -61,7 +72,7 @@ class TextWatch {
   template <class... Args>
   void add(AlarmId id, const Origin& origin, Span where, Args... args);
 
-  const ControlDef& def_;
+  std::shared_ptr<const ControlDef> definition_;
   const double most_rpm_;
   NamedInText named_;
   std::vector<Advice> found_;
