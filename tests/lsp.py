@@ -35,13 +35,14 @@ ABLE = {'workspace': {'applyEdit': True, 'workspaceEdit': {'documentChanges': Tr
 
 
 class Editor:
-    """An editor that talks with the program under test. `able`: its capabilities."""
+    """An editor that talks with the program under test. `able`: its capabilities; `folders`: those of its workspace, as paths."""
 
-    def __init__(self, kadr, options=None, encodings=('utf-16',), locale='en', begins=True, able=None):
+    def __init__(self, kadr, options=None, encodings=('utf-16',), locale='en', begins=True, able=None, folders=None):
         self.process = subprocess.Popen(kadr.command(['lsp', '--stdio']), cwd=kadr.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.read, self.last, self.notes, self.methods = b'', 0, [], {}
         if begins:
             self.capabilities = self.ask('initialize', {'processId': None, 'rootUri': None, 'locale': locale, 'initializationOptions': options or {},
+                                                        **({'workspaceFolders': [folder(path) for path in folders]} if folders else {}),
                                                         'capabilities': {'general': {'positionEncodings': list(encodings)}, **(ABLE if able is None else able)}})
             self.capabilities = self.capabilities['result']['capabilities']
             self.tell('initialized', {})
@@ -139,6 +140,10 @@ class Editor:
         self.ask('shutdown', None)
         self.tell('exit', None)
         return self.process.wait(harness.TIME_LIMIT_S)
+
+
+def folder(path):
+    return {'uri': f'file://{path}', 'name': Path(path).name}
 
 
 def position(line, character):
@@ -416,16 +421,85 @@ def check_folds_of_linuxcnc(kadr):
     editor.close()
 
 
+def tokens_in(data, legend):
+    """Returns the tokens of an answer: line, column, length, type, and a star for a definition."""
+    line, column, tokens = 0, 0, []
+    for i in range(0, len(data), 5):
+        line, column = line + data[i], data[i + 1] + (0 if data[i] else column)
+        tokens.append((line, column, data[i + 2], legend['tokenTypes'][data[i + 3]] + '*' * data[i + 4]))
+    return tokens
+
+
 def check_tokens(kadr):
     editor = Editor(kadr, {'control': 'fanuc'})
-    editor.open('N10 G1 X1. (Ж) M8\n')
-    legend = editor.capabilities['semanticTokensProvider']['legend']['tokenTypes']
-    data, at, tokens = editor.of('semanticTokens/full')['data'], 0, []
-    for i in range(0, len(data), 5):
-        at += data[i + 1]
-        tokens.append((at, data[i + 2], legend[data[i + 3]]))
-    expect(tokens == [(0, 3, 'label'), (4, 2, 'keyword'), (7, 3, 'number'), (11, 3, 'comment'), (15, 2, 'function')], f'{tokens}')
+    editor.open('N10 G1 X1. (Ж) M8\n#101=#[#5+1]\nX#101Y[#5*2]F2\nIF[#101GT9]GOTO 10\nO20\nM98 P20\n')
+    legend = editor.capabilities['semanticTokensProvider']['legend']
+    expect(legend['tokenModifiers'] == ['definition'], f'{legend}')
+    tokens = tokens_in(editor.of('semanticTokens/full')['data'], legend)
+    expect([t[1:] for t in tokens if t[0] == 0] == [(0, 3, 'label*'), (4, 2, 'keyword'), (7, 3, 'number'), (11, 3, 'comment'), (15, 2, 'function')], f'{tokens}')
+    wanted = {1: [(0, 4, 'variable*')], 2: [(0, 1, 'number'), (1, 4, 'variable'), (5, 2, 'number'), (7, 2, 'variable')],
+              3: [(3, 4, 'variable'), (16, 2, 'label')], 4: [(0, 3, 'label*')], 5: [(0, 3, 'function'), (4, 1, 'number'), (5, 2, 'label')]}
+    for line, some in wanted.items():
+        expect(set(some) <= {t[1:] for t in tokens if t[0] == line}, f'line {line}: {tokens}')
+    for a, b in zip(tokens, tokens[1:]):
+        expect((a[0], a[1] + a[2]) <= (b[0], b[1]), f'tokens in order, without overlap: {a} {b}')
+    some = tokens_in(editor.of('semanticTokens/range', range=area(2, 0, 0, 3))['data'], legend)
+    expect(some == [t for t in tokens if t[0] in (2, 3)] and some, f'the tokens of a range: {some}')
     editor.close()
+
+
+def check_control_of_a_program(kadr):
+    """An editor that asks for it receives the control of a program, once, and again when it changes."""
+    able = {**ABLE, 'experimental': {'kadrControl': True}}
+    editor = Editor(kadr, able=able)
+    editor.open(FANUC)
+    editor.findings()
+    told = editor.asked('kadr/control')['params']
+    expect(told == {'uri': URI, 'control': 'fanuc', 'guessed': True}, f'{told}')
+    editor.change('(A)\n', 2, area(3, 0, 0))
+    editor.findings(2)
+    editor.tell('workspace/didChangeConfiguration', {'settings': {'kadr': {'control': 'haas'}}})
+    told = editor.asked('kadr/control')['params']
+    expect(told == {'uri': URI, 'control': 'haas', 'guessed': False}, f'{told}')
+    editor.close()
+    editor = Editor(kadr)   # another editor is not
+    editor.open(FANUC)
+    editor.findings()
+    expect(editor.of('semanticTokens/full') and not [note for note in editor.notes if note['method'] == 'kadr/control'], f'{editor.notes}')
+    editor.close()
+
+
+def check_folders_of_the_workspace(kadr):
+    """Programs of other folders that the editor shows; those of the own folder come first."""
+    top = Path(kadr.folder) / 'workspace'
+    for name, text in (('parts/main.nc', 'O1\nM98 P200\nM98 P300\nM30\n'), ('parts/O0300.nc', 'O300\nM99\n'), ('common/O0200.nc', 'O200\nM98 P300\nM99\n'),
+                       ('common/O0300.nc', 'O300\nM99\n'), ('.hidden/O0400.nc', 'O400\nM99\n')):
+        path = top / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding='utf-8')
+    main, text = f'file://{top}/parts/main.nc', (top / 'parts/main.nc').read_text(encoding='utf-8')
+
+    def symbols(editor):
+        return sorted({one['location']['uri'].removeprefix(f'file://{top}/') for one in editor.ask('workspace/symbol', {'query': 'O'})['result']})
+
+    def defined(editor, line):
+        answer = editor.ask('textDocument/definition', {'textDocument': {'uri': main}, 'position': position(line, 7)})['result']
+        return [one['uri'].removeprefix(f'file://{top}/') for one in answer]
+    for folders, wide in (([top], True), ([f'{top}/common/', top / 'parts'], True), (None, False)):
+        editor = Editor(kadr, {'control': 'fanuc'}, folders=folders)
+        editor.open(text, main)
+        near = ['parts/O0300.nc', 'parts/main.nc']
+        expect(symbols(editor) == (['common/O0200.nc', 'common/O0300.nc'] if wide else []) + near, f'{folders}: {symbols(editor)}')
+        expect(defined(editor, 1) == (['common/O0200.nc'] if wide else []), f'{folders}: {defined(editor, 1)}')
+        expect(defined(editor, 2) == ['parts/O0300.nc'], f'{folders}: {defined(editor, 2)}')
+        uses = editor.ask('textDocument/references', {'textDocument': {'uri': main}, 'position': position(2, 7), 'context': {'includeDeclaration': False}})['result']
+        expect([one['uri'] for one in uses] == [main], f'common/O0200.nc calls the program of its own folder: {uses}')
+        if not wide:
+            editor.tell('workspace/didChangeWorkspaceFolders', {'event': {'added': [folder(top)], 'removed': []}})
+            expect(defined(editor, 1) == ['common/O0200.nc'], 'a folder that was added')
+            editor.tell('workspace/didChangeWorkspaceFolders', {'event': {'added': [], 'removed': [folder(top)]}})
+            expect(defined(editor, 1) == [], 'a folder that was removed')
+        editor.close()
 
 
 def check_quick_fix(kadr):
@@ -672,7 +746,9 @@ def random_message(draw, number):
         change = {'text': draw.choice(['G1', '\n', 7]), 'range': area(draw.randrange(9), 0, 3)}
         method, params = 'textDocument/didChange', {'textDocument': {'uri': uri, 'version': number}, 'contentChanges': [change]}
     elif kind == 2:
-        method = draw.choice(['textDocument/didSave', 'textDocument/didClose', 'workspace/didChangeConfiguration', 'workspace/didChangeWatchedFiles', 'nothing'])
+        method = draw.choice(['textDocument/didSave', 'textDocument/didClose', 'workspace/didChangeConfiguration', 'workspace/didChangeWatchedFiles',
+                              'workspace/didChangeWorkspaceFolders', 'nothing'])
+        params['event'] = draw.choice([{'added': [{'uri': 'file:///work'}], 'removed': [{'uri': 'untitled:c'}]}, {'added': [5], 'removed': 5}, 5])
         params['settings'] = {'kadr': {'control': draw.choice(['fanuc', '', 'nonsense'])}}
     elif kind == 3:
         if draw.randrange(2):

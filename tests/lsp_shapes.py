@@ -72,7 +72,9 @@ SHAPES = {
         'referencesProvider?': 'bool', 'documentHighlightProvider?': 'bool', 'documentSymbolProvider?': 'bool',
         'workspaceSymbolProvider?': 'bool', 'foldingRangeProvider?': 'bool', 'inlayHintProvider?': 'bool',
         'codeActionProvider?': 'CodeActionOptions', 'executeCommandProvider?': 'ExecuteCommandOptions', 'codeLensProvider?': 'CodeLensOptions',
-        'documentFormattingProvider?': 'bool', 'renameProvider?': 'RenameOptions', 'semanticTokensProvider?': 'SemanticTokensOptions'},
+        'documentFormattingProvider?': 'bool', 'renameProvider?': 'RenameOptions', 'semanticTokensProvider?': 'SemanticTokensOptions', 'workspace?': 'WorkspaceOptions'},
+    'WorkspaceOptions': {'workspaceFolders?': 'WorkspaceFoldersOptions'}, 'WorkspaceFoldersOptions': {'supported?': 'bool', 'changeNotifications?': 'bool'},
+    'KadrControlParams': {'uri': 'string', 'control': 'string', 'guessed': 'bool'},   # docs/lsp.md
     'ResponseError': {'code': 'int', 'message': 'string', 'data?': 'any'},
 }
 
@@ -84,6 +86,7 @@ RESULTS = {
     'textDocument/documentHighlight': 'DocumentHighlight[]|null', 'textDocument/prepareRename': 'PrepareRename|null',
     'textDocument/rename': 'WorkspaceEdit|null', 'textDocument/documentSymbol': 'DocumentSymbol[]|SymbolInformation[]|null',
     'textDocument/foldingRange': 'FoldingRange[]|null', 'textDocument/semanticTokens/full': 'SemanticTokens|null',
+    'textDocument/semanticTokens/range': 'SemanticTokens|null',
     'textDocument/inlayHint': 'InlayHint[]|null', 'textDocument/codeAction': 'Command|CodeAction[]|null',
     'textDocument/codeLens': 'CodeLens[]|null', 'textDocument/formatting': 'TextEdit[]|null',
 }
@@ -92,6 +95,7 @@ RESULTS = {
 SENT = {
     'textDocument/publishDiagnostics': 'PublishDiagnosticsParams', 'window/logMessage': 'LogMessageParams',
     'window/showMessage': 'ShowMessageParams', 'window/showDocument': 'ShowDocumentParams', 'workspace/applyEdit': 'ApplyWorkspaceEditParams',
+    'kadr/control': 'KadrControlParams',
 }
 
 PLAIN = {

@@ -26,6 +26,7 @@ EditorAbilities abilities_in(const LspJson& capabilities) {
   abilities.creates_files = abilities.versioned_edits && lists("/workspace/workspaceEdit/resourceOperations", "create");
   abilities.shows_documents = states("/window/showDocument/support");
   abilities.nested_symbols = states("/textDocument/documentSymbol/hierarchicalDocumentSymbolSupport");
+  abilities.wants_controls = states("/experimental/kadrControl");
   abilities.markdown = lists("/textDocument/hover/contentFormat", "markdown");
   return abilities;
 }

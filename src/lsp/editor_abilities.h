@@ -12,6 +12,7 @@ struct EditorAbilities {
   bool creates_files = false;    // an edit may create a file
   bool shows_documents = false;  // it shows a document on request
   bool nested_symbols = false;   // it takes symbols that have symbols inside
+  bool wants_controls = false;   // it takes the notification kadr/control (docs/lsp.md)
   bool markdown = false;         // it shows Markdown when the pointer is on a word
 };
 

@@ -18,6 +18,7 @@ LspJson capabilities_json(const char* encoding) {
           {"documentHighlightProvider", true},
           {"documentSymbolProvider", true},
           {"workspaceSymbolProvider", true},
+          {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
           {"foldingRangeProvider", true},
           {"inlayHintProvider", true},
           {"codeActionProvider", {{"codeActionKinds", {"quickfix", "refactor.rewrite"}}}},
@@ -25,7 +26,7 @@ LspJson capabilities_json(const char* encoding) {
           {"codeLensProvider", {{"resolveProvider", false}}},
           {"documentFormattingProvider", true},
           {"renameProvider", {{"prepareProvider", true}}},
-          {"semanticTokensProvider", {{"legend", token_legend_json()}, {"full", true}, {"range", false}}}};
+          {"semanticTokensProvider", {{"legend", token_legend_json()}, {"full", true}, {"range", true}}}};
 }
 
 }  // namespace kadr

@@ -1,6 +1,7 @@
 #pragma once
 // The features of the language server: each function answers one kind of request about a document, as JSON (LSP 3.17, "Language Features").
 
+#include <deque>
 #include <functional>
 
 #include "lsp/lsp_json.h"
@@ -31,13 +32,15 @@ LspJson completion_json(const OpenDocument& document, const TextPosition& positi
 // ---- navigation.cpp
 /// The programs of the folder of a document, and which of them the document is.
 struct FolderView {
-  std::vector<ProgramFileNames> open;             // the open documents
+  std::deque<ProgramFileNames> open;              // the open documents; a deque, because `programs` points to them
   std::vector<const ProgramFileNames*> programs;  // the open documents, and the files that are not open
   std::size_t own = 0;
 };
-/// A function of the caller that reads the folder of the document; called only if the answer depends on it.
-using FolderOf = std::function<FolderView()>;
-/// Returns where the name at the position is defined, in this document or in another program of the folder.
+/// A function of the caller that reads the folder of the document; called only if the answer depends on it. `wide`: with the programs of
+/// the other folders that the editor shows.
+using FolderOf = std::function<FolderView(bool wide)>;
+/// Returns where the name at the position is defined, in this document, else in another program of its folder, else in those of the other
+/// folders.
 LspJson definition_json(const OpenDocument& document, const TextPosition& position, const FolderOf& folder);
 /// Returns all places of the name. Places in other programs of the folder belong to it if their calls run the same program.
 ///   with_definition  returns the places of definition_json() too
@@ -62,7 +65,8 @@ LspJson hints_json(const OpenDocument& document, const TextRange& range);
 LspJson lenses_json(const OpenDocument& document);
 
 // ---- tokens.cpp
-LspJson tokens_json(const OpenDocument& document);
+/// Returns the colours of the words, of the lines in the range or of all.
+LspJson tokens_json(const OpenDocument& document, const std::optional<TextRange>& range = {});
 LspJson token_legend_json();
 
 // ---- formatting.cpp

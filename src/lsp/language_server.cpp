@@ -8,12 +8,13 @@
 
 #include "config/texts.h"
 #include "lsp/features.h"
+#include "lsp/workspace_folders.h"
 #include "texts/lsp.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_folders = 16;  // folders whose programs are remembered
+constexpr std::size_t max_folders = 4 * max_workspace_folders;  // folders whose programs are remembered
 
 }  // namespace
 
@@ -40,6 +41,7 @@ const std::map<std::string_view, LanguageServer::Method>& LanguageServer::reques
       {"workspace/symbol", &S::workspace_symbols},
       {"textDocument/foldingRange", &S::folding},
       {"textDocument/semanticTokens/full", &S::tokens},
+      {"textDocument/semanticTokens/range", &S::tokens_of_range},
       {"textDocument/inlayHint", &S::hints},
       {"textDocument/codeAction", &S::actions},
       {"textDocument/codeLens", &S::lenses},
@@ -60,6 +62,7 @@ const std::map<std::string_view, LanguageServer::Method>& LanguageServer::notifi
       {"textDocument/didClose", &S::did_close},
       {"workspace/didChangeConfiguration", &S::did_change_configuration},
       {"workspace/didChangeWatchedFiles", &S::did_change_watched_files},
+      {"workspace/didChangeWorkspaceFolders", &S::did_change_folders},
   };
   return all;
 }
@@ -160,6 +163,7 @@ LspJson LanguageServer::initialize(const LspJson& params) {
         break;
       }
   if (const auto abilities = params.find("capabilities"); abilities != params.end()) editor_ = abilities_in(*abilities);
+  workspace_ = workspace_folders_in(params);
   initialized_ = true;
   const char* const encoding = unit_ == ColumnUnit::utf8 ? "utf-8" : unit_ == ColumnUnit::utf32 ? "utf-32" : "utf-16";
   return {{"capabilities", capabilities_json(encoding)}, {"serverInfo", {{"name", "kadr"}, {"version", version_}}}};
@@ -213,6 +217,7 @@ LspJson LanguageServer::did_close(const LspJson& params) {
   const OpenDocument& document = document_of(params);
   const std::string uri = document.uri;
   documents_.erase(uri);
+  told_.erase(uri);
   notify("textDocument/publishDiagnostics", {{"uri", uri}, {"diagnostics", LspJson::array()}});
   return nullptr;
 }
@@ -225,6 +230,15 @@ LspJson LanguageServer::did_change_configuration(const LspJson& params) {
 /// A set-up, tools or control file, or a subprogram, has changed: every document may be affected.
 LspJson LanguageServer::did_change_watched_files(const LspJson&) {
   for (auto& [uri, document] : documents_) document->reopen(choice_);
+  return nullptr;
+}
+
+LspJson LanguageServer::did_change_folders(const LspJson& params) {
+  const LspJson& event = member(params, "event");
+  const std::vector<std::filesystem::path> added = folders_in(member(event, "added")), removed = folders_in(member(event, "removed"));
+  std::erase_if(workspace_, [&](const auto& one) { return std::find(removed.begin(), removed.end(), one) != removed.end(); });
+  for (const auto& one : added)
+    if (workspace_.size() < max_workspace_folders) workspace_.push_back(one);
   return nullptr;
 }
 
@@ -245,32 +259,53 @@ void LanguageServer::work(const StopToken& stop) {
     if (!document->is_done()) return document->find_results(stop);
 }
 
-/// Returns the programs of the folder of a document that has a control. Open documents stand in the place of their files.
-FolderView LanguageServer::folder_of(const OpenDocument& document) {
-  FolderView view;
+/// Adds the programs of a folder: the open documents of the same control, and the files that are not open.
+void LanguageServer::add_programs(const std::filesystem::path& folder, const OpenDocument& document, FolderView& to) {
   const auto& def = document.opened()->def;
-  const std::filesystem::path folder = std::filesystem::path(document.path).parent_path();
   std::vector<std::string> paths;
   for (const auto& [uri, other] : documents_) {
     const bool is_own = other.get() == &document;
     if (other->names() == nullptr || other->opened()->def->id != def->id) continue;
-    if (!is_own && std::filesystem::path(other->path).parent_path() != folder) continue;
-    if (is_own) view.own = view.open.size();
-    view.open.push_back({uri, other->path, program_places(other->text(), *other->names())});
+    if (std::filesystem::path(other->path).parent_path() != folder) continue;
+    if (is_own) to.own = to.programs.size();
+    to.open.push_back({uri, other->path, program_places(other->text(), *other->names())});
+    to.programs.push_back(&to.open.back());
     paths.push_back(other->path);
   }
-  for (const ProgramFileNames& one : view.open) view.programs.push_back(&one);
-  if (!path_of_uri(document.uri)) return view;
-  if (folders_.size() > max_folders) folders_.clear();
+  if (!path_of_uri(document.uri)) return;
   ProgramFolder& files = folders_.try_emplace({folder.string(), def->id}, def, unit_).first->second;
   files.read(folder, paths);
-  for (const ProgramFileNames& file : files.files()) view.programs.push_back(&file);
+  for (const ProgramFileNames& file : files.files()) to.programs.push_back(&file);
+}
+
+/// Returns the programs of the folder of a document that has a control. `wide`: also those of the other folders of the workspace.
+FolderView LanguageServer::folder_of(const OpenDocument& document, bool wide) {
+  constexpr std::size_t most_programs = 5000;
+  if (folders_.size() > max_folders) folders_.clear();
+  FolderView view;
+  const std::filesystem::path own = std::filesystem::path(document.path).parent_path();
+  add_programs(own, document, view);
+  if (!wide) return view;
+  for (const std::filesystem::path& folder : with_subfolders(workspace_))
+    if (folder != own && view.programs.size() < most_programs) add_programs(folder, document, view);
   return view;
 }
 
 void LanguageServer::publish(const OpenDocument& document) {
   notify("textDocument/publishDiagnostics",
          {{"uri", document.uri}, {"version", document.version}, {"diagnostics", diagnostics_json(document)}});
+  tell_control(document);
+}
+
+/// Tells an editor that wants to know it which control the program is for, when this has changed.
+void LanguageServer::tell_control(const OpenDocument& document) {
+  if (!editor_.wants_controls) return;
+  const OpenedProgram* const opened = document.opened();
+  const std::string control = opened == nullptr ? std::string() : opened->def->id;
+  const auto [told, is_new] = told_.try_emplace(document.uri, control);
+  if (!is_new && told->second == control) return;
+  told->second = control;
+  notify("kadr/control", {{"uri", document.uri}, {"control", control}, {"guessed", opened != nullptr && opened->guess.has_value()}});
 }
 
 // ---- features
@@ -286,13 +321,14 @@ LspJson LanguageServer::signature_help(const LspJson& params) {
 }
 LspJson LanguageServer::definition(const LspJson& params) {
   const OpenDocument& document = document_of(params);
-  return definition_json(document, position_in(member(params, "position")), [&] { return folder_of(document); });
+  return definition_json(document, position_in(member(params, "position")), [&](bool wide) { return folder_of(document, wide); });
 }
 LspJson LanguageServer::references(const LspJson& params) {
   const OpenDocument& document = document_of(params);
   const LspJson::json_pointer declaration("/context/includeDeclaration");
   const bool with_definition = !params.contains(declaration) || params[declaration] != false;
-  return references_json(document, position_in(member(params, "position")), with_definition, [&] { return folder_of(document); });
+  return references_json(document, position_in(member(params, "position")), with_definition,
+                         [&](bool wide) { return folder_of(document, wide); });
 }
 LspJson LanguageServer::highlights(const LspJson& params) {
   return highlights_json(document_of(params), position_in(member(params, "position")));
@@ -309,15 +345,19 @@ LspJson LanguageServer::workspace_symbols(const LspJson& params) {
   const std::string query = text_in(params, "query");
   for (const auto& [uri, document] : documents_) add_workspace_symbols(*document, query, all);
   std::set<std::string> done;
-  for (const auto& [uri, document] : documents_) {
-    if (document->opened() == nullptr || !done.insert(std::filesystem::path(document->path).parent_path().string()).second) continue;
-    const FolderView folder = folder_of(*document);
-    for (std::size_t i = folder.open.size(); i < folder.programs.size(); ++i) add_file_symbols(*folder.programs[i], query, all);
-  }
+  for (const bool wide : {false, true})  // the control of a folder's own document reads its files first
+    for (const auto& [uri, document] : documents_) {
+      if (document->opened() == nullptr || (wide && workspace_.empty())) continue;
+      for (const FolderView view = folder_of(*document, wide); const ProgramFileNames* const file : view.programs)
+        if (!documents_.contains(file->uri) && done.insert(file->uri).second) add_file_symbols(*file, query, all);
+    }
   return all;
 }
 LspJson LanguageServer::folding(const LspJson& params) { return folding_json(document_of(params)); }
 LspJson LanguageServer::tokens(const LspJson& params) { return tokens_json(document_of(params)); }
+LspJson LanguageServer::tokens_of_range(const LspJson& params) {
+  return tokens_json(document_of(params), range_in(member(params, "range")));
+}
 LspJson LanguageServer::hints(const LspJson& params) { return hints_json(document_of(params), range_in(member(params, "range"))); }
 LspJson LanguageServer::lenses(const LspJson& params) { return lenses_json(document_of(params)); }
 LspJson LanguageServer::formatting(const LspJson& params) { return formatting_json(document_of(params)); }

@@ -3,11 +3,13 @@
 // tests need no pipes; serve_editor() connects it with an editor.
 
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/stop_token.h"
 #include "lsp/editor_abilities.h"
@@ -59,7 +61,9 @@ class LanguageServer {
   void show(int type, const std::string& text);
   OpenDocument& document_of(const LspJson& params);
   void publish(const OpenDocument& document);
-  FolderView folder_of(const OpenDocument& document);
+  void tell_control(const OpenDocument& document);
+  void add_programs(const std::filesystem::path& folder, const OpenDocument& document, FolderView& to);
+  FolderView folder_of(const OpenDocument& document, bool wide);
   void choose(const LspJson& settings);
 
   LspJson initialize(const LspJson& params);
@@ -72,6 +76,7 @@ class LanguageServer {
   LspJson did_close(const LspJson& params);
   LspJson did_change_configuration(const LspJson& params);
   LspJson did_change_watched_files(const LspJson& params);
+  LspJson did_change_folders(const LspJson& params);
   LspJson hover(const LspJson& params);
   LspJson completion(const LspJson& params);
   LspJson signature_help(const LspJson& params);
@@ -84,6 +89,7 @@ class LanguageServer {
   LspJson workspace_symbols(const LspJson& params);
   LspJson folding(const LspJson& params);
   LspJson tokens(const LspJson& params);
+  LspJson tokens_of_range(const LspJson& params);
   LspJson hints(const LspJson& params);
   LspJson actions(const LspJson& params);
   void execute_command(const LspJson& id, const LspJson& params);
@@ -108,7 +114,9 @@ class LanguageServer {
   DocumentChoice choice_;
   ColumnUnit unit_ = ColumnUnit::utf16;
   std::map<std::string, std::unique_ptr<OpenDocument>> documents_;        // by URI
+  std::map<std::string, std::string> told_;                               // by URI: the control that the editor knows
   std::map<std::pair<std::string, std::string>, ProgramFolder> folders_;  // by path, and id of the control
+  std::vector<std::filesystem::path> workspace_;                          // the folders that the editor shows
   bool initialized_ = false, shut_down_ = false, over_ = false;
 };
 

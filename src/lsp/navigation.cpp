@@ -108,7 +108,8 @@ LspJson own_definitions(const OpenDocument& document, const std::vector<Found>& 
 LspJson definition_json(const OpenDocument& document, const TextPosition& position, const FolderOf& folder) {
   LspJson all = own_definitions(document, all_at(document, position));
   const NamedPlace* const place = place_at(document, position);
-  if (all.empty() && is_of_folder(place)) add_definitions(folder(), *place, all);
+  for (const bool wide : {false, true})
+    if (all.empty() && is_of_folder(place)) add_definitions(folder(wide), *place, all);
   return all;
 }
 
@@ -123,7 +124,7 @@ LspJson references_json(const OpenDocument& document, const TextPosition& positi
   }
   const NamedPlace* const place = place_at(document, position);
   if (!is_of_folder(place)) return all;
-  const FolderView view = folder();
+  const FolderView view = folder(true);
   if (with_definition && definitions.empty()) add_definitions(view, *place, all);
   add_calls(view, *place, all);
   return all;

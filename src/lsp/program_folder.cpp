@@ -112,8 +112,19 @@ std::vector<std::size_t> files_called(const std::vector<const ProgramFileNames*>
     if (called_name(files[i]->path) == name) (extension_of(files[i]->path) == extension ? same : other).push_back(i);
     if (i != caller && defines(*files[i], called, true)) headed.push_back(i);
   }
-  if (is_label) return same;
-  return !same.empty() ? same : !other.empty() ? other : headed;
+  // Of several folders, that of the caller comes first.
+  const auto near = [&](const std::vector<std::size_t>& found) {
+    std::vector<std::size_t> own;
+    for (const std::size_t i : found)
+      if (fs::path(files[i]->path).parent_path() == fs::path(files[caller]->path).parent_path()) own.push_back(i);
+    return own;
+  };
+  const auto first_of = [&](const auto& part) {
+    const auto in_same = part(same), in_other = part(other);
+    return is_label || !in_same.empty() ? in_same : !in_other.empty() ? in_other : part(headed);
+  };
+  const std::vector<std::size_t> own = first_of(near);
+  return !own.empty() ? own : first_of([](const std::vector<std::size_t>& found) { return found; });
 }
 
 }  // namespace kadr

@@ -56,7 +56,8 @@ class ProgramFolder {
   std::vector<ProgramFileNames> files_;
 };
 
-/// Returns the files that a call of a program runs, by the order of the search. Several: the control refuses the call as ambiguous.
+/// Returns the files that a call of a program runs, by the order of the search; those of the folder of the caller before others. Several:
+/// the control refuses the call as ambiguous.
 ///   caller  index of the file that calls
 std::vector<std::size_t> files_called(const std::vector<const ProgramFileNames*>& files, std::size_t caller, const NamedPlace& called);
 

@@ -20,6 +20,12 @@ export function language_of(control: string, known: readonly string[]): string {
   return control && known.includes(named) ? named : "nc";
 }
 
+/// Returns the language for a program whose control the server has found. Only a program that has no control's colours
+/// yet gets them: others were chosen by the user, a setting or the name of the file.
+export function language_found(present: string, control: string, known: readonly string[]): string {
+  return present === "nc" ? language_of(control, known) : present;
+}
+
 /// Reads what `kadr controls` prints: an id and a name in each line.
 export function controls_in(printed: string): { id: string; name: string }[] {
   return printed

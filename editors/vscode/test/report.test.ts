@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { NoKadr, run_kadr } from "../src/kadr";
-import { control_of_folder, controls_in, language_of } from "../src/languages";
+import { control_of_folder, controls_in, language_found, language_of } from "../src/languages";
 import { data_of, made_report } from "../src/report";
 import { settings_of } from "../src/settings";
 
@@ -66,4 +66,12 @@ test("the colours are those of the control of the folder", () => {
   assert.equal(language_of("haas", ["nc", "nc-haas"]), "nc-haas");
   assert.equal(language_of("own.toml", ["nc", "nc-haas"]), "nc");
   assert.equal(language_of("", ["nc", "nc-"]), "nc");
+});
+
+test("a control that the server has found gives colours to a program without any", () => {
+  const known = ["nc", "nc-haas", "nc-fanuc"];
+  assert.equal(language_found("nc", "haas", known), "nc-haas");
+  assert.equal(language_found("nc-fanuc", "haas", known), "nc-fanuc");
+  assert.equal(language_found("nc", "", known), "nc");
+  assert.equal(language_found("nc", "own", known), "nc");
 });
