@@ -61,7 +61,7 @@ std::optional<SpeedRules> Session::look_ahead() {
   SpeedRules rules = speed_rules(channels_.front().setup, control.axes(), spec_.machine);
   if (control.has_machine_parameters()) obey_parameters(rules, channels_.front().setup, control.axes());
   // INFERRED: the corner tolerance applies to every control that states no limit of speed changes at corners
-  else rules.blend = spec_.machine.tolerance;
+  else if (!plan_by_blocks(rules, channels_.front().setup, def())) rules.blend = spec_.machine.tolerance;
   if (rules.in_force) rules_ = rules;
   return rules_;
 }

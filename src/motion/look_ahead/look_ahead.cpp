@@ -41,9 +41,11 @@ bool ends_at_rest(const Motion& motion) {
 LookAhead::LookAhead(const AxisRoles& roles, const SpeedRules& rules, const Axes& rapid, Sink sink)
     : roles_(roles), rules_(rules), sink_(std::move(sink)) {
   for (std::size_t i = 0; i < max_axes; ++i) rapid_rates_[i] = rapid[i] / seconds_per_minute;
+  if (rules.blocks) window_.emplace(roles, rules, rapid_rates_, sink_);
 }
 
 void LookAhead::consume(const Step& step) {
+  if (window_) return window_->consume(step);
   if (const Motion* const m = step.motion()) {
     motion(step, *m);
   } else {
@@ -54,10 +56,14 @@ void LookAhead::consume(const Step& step) {
   if (held_.size() >= max_actions) rest();
 }
 
-void LookAhead::finish() { rest(); }
+void LookAhead::finish() {
+  if (window_) window_->finish();
+  else rest();
+}
 
 LookAhead::Memory LookAhead::memory() const {
-  Memory now{held_, pieces_, open_, 0, last_rapid_, 0, start_speed_};
+  Memory now{held_, pieces_, open_, 0, last_rapid_, 0, start_speed_, {}};
+  if (window_) now.window = window_->memory();
   for (std::size_t i = 0; i < held_.size(); ++i) {
     if (open_ && open_->held == &held_[i]) now.open_at = i;
     if (last_rapid_ && last_rapid_->held == &held_[i]) now.last_rapid_at = i;
@@ -73,6 +79,7 @@ void LookAhead::resume_from(const Memory& memory) {
   last_rapid_ = memory.last_rapid;
   if (last_rapid_) last_rapid_->held = &held_[memory.last_rapid_at];
   start_speed_ = memory.start_speed;
+  if (window_ && memory.window) window_->resume_from(*memory.window);
 }
 
 void LookAhead::hold(const Step& step) {

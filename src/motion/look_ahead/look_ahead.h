@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "action/step.h"
+#include "motion/look_ahead/block_window.h"
 #include "motion/look_ahead/control_speed.h"
 #include "motion/look_ahead/speed_plan.h"
 #include "motion/time/rapid_time.h"
@@ -77,6 +78,7 @@ class LookAhead {
     std::optional<LastRapid> last_rapid;  // The pointer `held` is invalid in a copy, so resume_from() sets it again from `last_rapid_at`.
     std::size_t last_rapid_at = 0;
     double start_speed = 0;
+    std::optional<BlockWindow::Memory> window;
   };
   Memory memory() const;
   void resume_from(const Memory& memory);
@@ -104,6 +106,7 @@ class LookAhead {
   std::optional<LastRapid> last_rapid_;
   double start_speed_ = 0;  // speed at the start of the first piece, mm/s
   SpeedPlan plan_;
+  std::optional<BlockWindow> window_;  // used instead of all of this, if the rules have a planner of a few blocks
 };
 
 }  // namespace kadr

@@ -66,6 +66,24 @@ SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes,
   return rules;
 }
 
+bool plan_by_blocks(SpeedRules& rules, const Setup& setup, const ControlDef& control) {
+  const auto value_of = [&](const char* meaning) -> std::optional<double> {
+    for (const ParameterRow& row : control.parameters) {
+      if (row.means.empty() || row.means.front() != meaning) continue;
+      const auto stated = setup.parameters.find(ParameterKey{row.name, {}, {}});
+      const double* const number = stated == setup.parameters.end() ? nullptr : std::get_if<double>(&stated->second);
+      return number != nullptr ? *number : row.initial;
+    }
+    return std::nullopt;
+  };
+  const auto deviation = value_of("junction_deviation");
+  if (!deviation) return false;
+  BlockPlanner& blocks = rules.blocks.emplace();
+  blocks.junction_deviation = *deviation;
+  blocks.arc_tolerance = value_of("arc_tolerance").value_or(blocks.arc_tolerance);
+  return true;
+}
+
 void obey_parameters(SpeedRules& rules, const Setup& setup, const std::vector<std::string>& axes) {
   const SetupParameters given(setup, axes);
   for (std::size_t a = 0; a < std::min(axes.size(), max_axes); ++a) obey_axis(rules, given, a);

@@ -23,6 +23,13 @@ constexpr Axes axes_filled(double value) {
   return axes;
 }
 
+/// A planner that holds a few straight blocks (block_window.h), as Grbl's.
+struct BlockPlanner {
+  std::size_t window = 15;        // blocks in the planner: the one that is executed, and those that are planned
+  double junction_deviation = 0;  // mm ($11)
+  double arc_tolerance = 0.002;   // greatest distance of an arc from its chords, mm ($12)
+};
+
 /// The speed limits of a channel. Values of single axes are in mm and s; rotary axes have degrees instead of mm. Numbers such as N0305 are
 /// parameters of the NCT control, with their names.
 struct SpeedRules {
@@ -56,6 +63,7 @@ struct SpeedRules {
   // Greatest deviation at a corner that is rounded because one motion slows down while the next motion speeds up, mm; empty: this rule does
   // not limit the speed at corners.
   std::optional<double> blend;
+  std::optional<BlockPlanner> blocks;  // nullopt: the control looks ahead over the whole stored path
   // True: a change of work offset, tool length or work area empties the look-ahead buffer (nct 13.3), so the axes stop (NCT 7.0.2).
   bool frames_stop = false;
 
@@ -67,6 +75,10 @@ struct SpeedRules {
 /// an axis that the set-up does not mention, the acceleration and jerk of the machine profile apply if the control plans the speed
 /// (PlannerMode::control). INFERRED: otherwise such an axis is unlimited if the set-up states the acceleration of another axis.
 SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes, const MachineProfile& profile = {});
+
+/// Makes the speeds those of a planner of a few blocks if the control has a parameter for the junction deviation. Returns false if it has
+/// none.
+bool plan_by_blocks(SpeedRules& rules, const Setup& setup, const ControlDef& control);
 
 /// Adds the limits from the set-up's control parameters. Call it only for a control that has these parameters. If the set-up states no
 /// acceleration and no limiting parameter, the rules stay off.
