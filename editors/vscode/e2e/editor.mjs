@@ -50,13 +50,13 @@ async function until(what, f, ms = 60_000) {
 }
 async function command(name) {
   await page.keyboard.press("F1");
-  await page.locator(".quick-input-widget input").first().fill(`>${name}`);
+  await page.locator(".quick-input-box input").first().fill(`>${name}`);
   await page.locator(".quick-input-list .monaco-list-row").first().waitFor();
   await page.keyboard.press("Enter");
 }
 async function go_to_line(line) {
   await page.keyboard.press("Control+g");
-  await page.locator(".quick-input-widget input").first().fill(`:${line}`);
+  await page.locator(".quick-input-box input").first().fill(`:${line}`);
   await page.keyboard.press("Enter");
 }
 const cursor_line = async () => Number(await page.locator(".line-numbers.active-line-number").first().innerText());
@@ -84,6 +84,11 @@ await step("the program opens", async () => {
   await page.locator(".monaco-editor .view-lines").first().waitFor();
   await until("language", async () => /^NC/.test(await page.locator("[id='status.editor.mode']").innerText()));
 });
+await step("the control that the text shows gives the colours", () =>
+  until("language of the control", async () =>
+    /^NC: .*Fanuc/.test(await page.locator("[id='status.editor.mode']").innerText()),
+  ),
+);
 await step("a word is explained", async () => {
   const word = page.locator(".view-line", { hasText: "G41" }).locator("span", { hasText: "G41" }).last();
   await until("hover", async () => {
