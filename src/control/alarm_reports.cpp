@@ -203,6 +203,12 @@ void Interpreter::report_changes() {
   if (!changes.rows.empty()) (*on_changes)(changes);
 }
 
+bool Interpreter::runs_unseen() const {
+  const bool held = holds_before != nullptr && *holds_before, reports = on_changes != nullptr && *on_changes;
+  return !each_block && !is_watched() && !held && !reports && line_marks == nullptr && !block_states_ && !use.watches() &&
+         !flow.in_entered();
+}
+
 void Interpreter::take_common(const Interpreter& from) {
   dialect->take_common(*this, *from.dialect);
   report_changes();

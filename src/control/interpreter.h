@@ -82,6 +82,8 @@ class Interpreter final : public Emitter {
   /// Executes a block that is a statement (IF, GOTO, #1=…), while neither an interrupt macro nor the machine's logic observes the blocks. A
   /// faulty statement stops the run with an alarm.
   void execute_statement();
+  /// Returns true if nobody looks at single blocks, so that blocks which emit no action may be executed without being read as blocks.
+  bool runs_unseen() const;
   /// Executes again a block that only sets variables (sets_variables_only()). Returns false if the block is faulty; in this case no
   /// variable has changed.
   bool assign_again();

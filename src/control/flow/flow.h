@@ -2,6 +2,7 @@
 // Flow: the program flow, that is, the order in which blocks are executed. It has the readers, the call stack, repetitions, jumps, and the
 // limit for a program that never ends.
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -206,6 +207,13 @@ class Flow {
     if (now_.reader != 1) files_[now_.reader]->note_warned(block);
   }
   std::uint64_t blocks() const { return now_.blocks; }
+  /// Counts blocks that were executed again, but were not read with next().
+  void pass(std::uint64_t blocks) {
+    now_.blocks += blocks;
+    now_.repeated += blocks;
+  }
+  /// Returns how many blocks may still be executed again (RunLimits::repeated_blocks).
+  std::uint64_t repeats_left() const { return limits_.repeated_blocks - std::min(limits_.repeated_blocks, now_.repeated); }
   // Number of blocks that were executed again: after a jump back, or in a further call or pass.
   std::uint64_t repeated() const { return now_.repeated; }
   std::uint64_t bytes_read() const { return program().offset(); }

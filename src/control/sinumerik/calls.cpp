@@ -68,6 +68,7 @@ Status Sinumerik::call(Interpreter& m, const FoundProgram& found, const std::str
   made.references = std::move(references);
   made.has_arguments = has_arguments;
   memory.levels.push_back(std::move(made));
+  calculation_.forget_variables();
   return {};
 }
 
@@ -76,6 +77,7 @@ Status Sinumerik::procedure(Interpreter& m, const NamedBlock& block) {
   Level& own = level();
   if (own.executing || own.took_arguments) return fail(alarm(AlarmId::definition_late, m.block->statement.text, "PROC"));
   own.took_arguments = true;
+  calculation_.forget_variables();
   if (own.arguments.size() > block.definitions.size())
     return fail(
         alarm(AlarmId::arguments_too_many, m.block->statement.text, std::string_view(block.name), double(block.definitions.size())));
@@ -129,6 +131,7 @@ Status Sinumerik::leave(Interpreter& m, Span where) {
     return {};
   }
   const Level ended = level();
+  calculation_.forget_variables();
   const auto left = m.flow.end_subprogram(where);
   if (!left) return fail(left.error());
   if (*left == nullptr) {  // another pass: its local variables are new
@@ -204,6 +207,7 @@ Status Sinumerik::define(Interpreter& m, const NamedBlock& block) {
   Level& own = level();
   if (block.global) return fail(alarm(AlarmId::not_available, m.block->statement.text, "DEF NCK, DEF CHAN"));
   if (own.acted) return fail(alarm(AlarmId::definition_late, m.block->statement.text, "DEF"));
+  calculation_.forget_variables();
   for (const NamedDefinition& row : block.definitions) {
     // A loop or a jump back may execute DEF again; the control forbids a second DEF of the name in the text.
     if (own.variables.contains(row.name) && !own.executing)

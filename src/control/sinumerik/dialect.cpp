@@ -63,6 +63,7 @@ Status Sinumerik::restore(BlockContext&, const DialectState& from) {
   written_.clear();
   found_.clear();
   indices_.clear();
+  calculation_.forget_all();
   return {};
 }
 
@@ -227,6 +228,7 @@ bool Sinumerik::end_program(Interpreter& m) {
   memory.repeated.clear();
   memory.pattern.reset();
   memory.levels.erase(memory.levels.begin() + 1, memory.levels.end());
+  calculation_.forget_variables();
   level().modal_call.reset();
   m.flow.frames().clear();
   memory.motion = NamedMotion::none;

@@ -3,24 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
 #include "base/ascii.h"
+#include "control/sinumerik/number.h"
 #include "control/sinumerik/sinumerik.h"
 
 namespace kadr::sinumerik {
 namespace {
 
-/// Comparisons of REAL values take values as equal that differ by less than 1E-12 of their size (spec/sinumerik 7.2).
-bool nearly_equal(double a, double b) { return std::fabs(a - b) <= 1e-12 * std::max(std::fabs(a), std::fabs(b)); }
-
 Result<Value> compared(NamedOp op, const Value& a, const Value& b, Span where) {
   int order = 0;
-  if (a.is_number() && b.is_number()) {
-    order = nearly_equal(a.number, b.number) ? 0 : a.number < b.number ? -1 : 1;
-  } else if (a.type == b.type && (a.type == Type::text || a.type == Type::axis)) {
+  if (a.type == b.type && (a.type == Type::text || a.type == Type::axis)) {
     order = a.text.compare(b.text);
   } else if (a.type == Type::frame && b.type == Type::frame && (op == NamedOp::equal || op == NamedOp::not_equal)) {
     order = *a.frame == *b.frame ? 0 : 1;
@@ -37,111 +34,42 @@ Result<Value> compared(NamedOp op, const Value& a, const Value& b, Span where) {
   }
 }
 
-std::int64_t bits(double number) { return static_cast<std::int64_t>(std::clamp(std::round(number), -2147483648.0, 4294967295.0)); }
+Value value_of(Number number) { return {number.type, false, number.value, {}, {}}; }
 
-// NOLINTNEXTLINE(readability-function-size): one switch over all operators
 Result<Value> applied(NamedOp op, const Value& a, const Value& b, Span where) {
-  if (op >= NamedOp::equal && op <= NamedOp::less_equal) return compared(op, a, b, where);
   if (op == NamedOp::join) return text_value(joined_text(a) + joined_text(b));
   if (op == NamedOp::chain) {
     if (a.type != Type::frame || b.type != Type::frame) return fail(alarm(AlarmId::operand_type, where, ":"));
     return frame_value(chained(*a.frame, *b.frame));
   }
-  if (!a.is_number() || !b.is_number()) return fail(alarm(AlarmId::operand_type, where, written(op)));
-  const double x = a.number, y = b.number;
-  const bool whole = a.type != Type::real && b.type != Type::real;
-  const auto result = [&](double value) -> Result<Value> {
-    if (!std::isfinite(value)) return fail(alarm(AlarmId::not_a_number, where));
-    return whole && std::fabs(value) <= 2147483647.0 ? integer(value) : real(value);
-  };
-  switch (op) {
-    case NamedOp::multiply: return result(x * y);
-    case NamedOp::divide:
-      if (y == 0) return fail(alarm(AlarmId::division_by_zero, where));
-      return real(x / y);
-    case NamedOp::whole_divide:
-      if (y == 0) return fail(alarm(AlarmId::division_by_zero, where));
-      return integer(std::trunc(x / y));
-    case NamedOp::modulo:
-      if (y == 0) return fail(alarm(AlarmId::division_by_zero, where));
-      return result(std::fmod(x, y));
-    case NamedOp::add: return result(x + y);
-    case NamedOp::subtract: return result(x - y);
-    case NamedOp::bit_and: return integer(static_cast<double>(bits(x) & bits(y)));
-    case NamedOp::bit_xor: return integer(static_cast<double>(bits(x) ^ bits(y)));
-    case NamedOp::bit_or: return integer(static_cast<double>(bits(x) | bits(y)));
-    case NamedOp::logic_and: return boolean(x != 0 && y != 0);
-    case NamedOp::logic_xor: return boolean((x != 0) != (y != 0));
-    case NamedOp::logic_or: return boolean(x != 0 || y != 0);
-    default: return fail(alarm(AlarmId::operand_type, where, written(op)));
-  }
+  const bool numbers = a.is_number() && b.is_number();
+  if (!numbers && op >= NamedOp::equal && op <= NamedOp::less_equal) return compared(op, a, b, where);
+  Number to;
+  const AlarmId fault = numbers ? apply(op, {a.number, a.type}, {b.number, b.type}, to) : AlarmId::operand_type;
+  if (fault == AlarmId::operand_type) return fail(alarm(fault, where, written(op)));
+  if (fault != no_alarm) return fail(alarm(fault, where));
+  return value_of(to);
 }
 
 Result<Value> applied_to_one(NamedOp op, const Value& a, Span where) {
   if (!a.is_number()) return fail(alarm(AlarmId::operand_type, where, written(op)));
-  switch (op) {
-    case NamedOp::negate: return a.type == Type::real ? real(-a.number) : integer(-a.number);
-    case NamedOp::logic_not: return boolean(!a.is_true());
-    default: return integer(static_cast<double>(~bits(a.number)));
-  }
+  return value_of(apply(op, {a.number, a.type}));
 }
 
-constexpr double deg = 1 / rad_per_deg;
-
-struct NumberFunction {
-  std::string_view name;
-  std::size_t operands;
-  Result<double> (*of)(const std::vector<Value>& v, Span where);
-};
-
-double first(const std::vector<Value>& v) { return v[0].number; }
-
-const NumberFunction number_functions[] = {
-    {"SIN", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return sincos_deg(first(v)).sin; }},
-    {"COS", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return sincos_deg(first(v)).cos; }},
-    {"TAN", 1,
-     [](const std::vector<Value>& v, Span where) -> Result<double> {
-       const SinCos turn = sincos_deg(first(v));
-       if (turn.cos == 0) return fail(alarm(AlarmId::tangent_of_right_angle, where, first(v)));
-       return turn.sin / turn.cos;
-     }},
-    {"ASIN", 1,
-     [](const std::vector<Value>& v, Span where) -> Result<double> {
-       if (std::fabs(first(v)) > 1) return fail(alarm(AlarmId::argument_above_one, where, first(v)));
-       return std::asin(first(v)) * deg;
-     }},
-    {"ACOS", 1,
-     [](const std::vector<Value>& v, Span where) -> Result<double> {
-       if (std::fabs(first(v)) > 1) return fail(alarm(AlarmId::argument_above_one, where, first(v)));
-       return std::acos(first(v)) * deg;
-     }},
-    {"ATAN2", 2,
-     [](const std::vector<Value>& v, Span) -> Result<double> {
-       return angle_deg({v[1].number, v[0].number});
-     }},
-    {"SQRT", 1,
-     [](const std::vector<Value>& v, Span where) -> Result<double> {
-       if (first(v) < 0) return fail(alarm(AlarmId::root_of_negative, where, first(v)));
-       return std::sqrt(first(v));
-     }},
-    {"ABS", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::fabs(first(v)); }},
-    {"POT", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return first(v) * first(v); }},
-    {"TRUNC", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::trunc(first(v)); }},
-    {"ROUND", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::round(first(v)); }},
-    {"ROUNDUP", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::ceil(first(v)); }},
-    {"LN", 1,
-     [](const std::vector<Value>& v, Span where) -> Result<double> {
-       if (!(first(v) > 0)) return fail(alarm(AlarmId::argument_not_positive, where, first(v)));
-       return std::log(first(v));
-     }},
-    {"EXP", 1, [](const std::vector<Value>& v, Span) -> Result<double> { return std::exp(first(v)); }},
-    {"MINVAL", 2, [](const std::vector<Value>& v, Span) -> Result<double> { return std::min(v[0].number, v[1].number); }},
-    {"MAXVAL", 2, [](const std::vector<Value>& v, Span) -> Result<double> { return std::max(v[0].number, v[1].number); }},
-    {"BOUND", 3,
-     [](const std::vector<Value>& v, Span) -> Result<double> {
-       return std::max(std::min(v[0].number, v[1].number), std::min(v[2].number, std::max(v[0].number, v[1].number)));
-     }},
-};
+/// Calls a function of numbers.
+///   alarms  operand_type, not_a_number, and those of the function
+Result<Value> called(const NumberFunction& function, const std::vector<Value>& operands, Span where) {
+  constexpr std::size_t most_operands = 3;
+  std::array<double, most_operands> v{};
+  if (operands.size() != function.operands ||
+      !std::all_of(operands.begin(), operands.end(), [](const Value& one) { return one.is_number(); }))
+    return fail(alarm(AlarmId::operand_type, where, function.name));
+  std::transform(operands.begin(), operands.end(), v.begin(), [](const Value& one) { return one.number; });
+  if (!function.allows(v[0])) return fail(alarm(function.fault, where, v[0]));
+  const double to = function.of(v.data());
+  if (!std::isfinite(to)) return fail(alarm(AlarmId::not_a_number, where));
+  return real(to);
+}
 
 bool is_number_text(const std::string& text, double& number) {
   const std::size_t begin = text.find_first_not_of(' '), end = text.find_last_not_of(' ');
@@ -359,16 +287,10 @@ Result<std::vector<Value>> Sinumerik::evaluate_all(BlockContext& m, const NamedB
       }
       case NamedStep::Kind::call: {
         const std::vector<Value> operands = take(step.operands);
-        const NumberFunction* const row = std::find_if(std::begin(number_functions), std::end(number_functions),
-                                                       [&](const NumberFunction& each) { return each.name == step.name; });
-        if (row != std::end(number_functions)) {
-          if (operands.size() != row->operands ||
-              !std::all_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_number(); }))
-            return fail(alarm(AlarmId::operand_type, step.where, std::string_view(step.name)));
-          const auto value = row->of(operands, step.where);
+        if (const NumberFunction* const function = number_function(step.name)) {
+          auto value = called(*function, operands, step.where);
           if (!value) return fail(value.error());
-          if (!std::isfinite(*value)) return fail(alarm(AlarmId::not_a_number, step.where));
-          stack.push_back(real(*value));
+          stack.push_back(std::move(*value));
           break;
         }
         if (auto value = text_function(step.name, operands, step.where)) {

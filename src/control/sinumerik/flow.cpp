@@ -10,8 +10,6 @@
 namespace kadr::sinumerik {
 namespace {
 
-constexpr std::int32_t deepest_structure = 16;
-
 std::string_view keyword_text(Keyword keyword) {
   switch (keyword) {
     case Keyword::if_: return "IF";
@@ -48,12 +46,7 @@ Status Sinumerik::jump(Interpreter& m, const NamedBlock& block, const NamedItem&
   } else if (const auto found = variable(name); found != nullptr && found->type == Type::text && found->sizes.empty()) {
     name = in_capitals(found->values[0].text);
   }
-  if (name.size() > 1 && name[0] == 'N' && is_digit(name[1])) name = "N" + std::to_string(std::strtoul(name.c_str() + 1, nullptr, 10));
-  const Position& from = m.block->position;
-  const ProgramIndex& all = index(m);
-  const LabelRow* target = nullptr;
-  if (item.name != "GOTOB") target = all.label(name, from, true);
-  if (target == nullptr && item.name != "GOTOF") target = all.label(name, from, false);
+  const LabelRow* const target = jump_target(index(m), item.name, name, m.block->position);
   if (target == nullptr) {
     if (item.name == "GOTOC") return {};
     return fail(alarm(AlarmId::label_missing, item.where, std::string_view(name)));
@@ -64,8 +57,13 @@ Status Sinumerik::jump(Interpreter& m, const NamedBlock& block, const NamedItem&
     m.flow.frames().pop_back();  // the jump leaves the part that is repeated
     memory.repeated.pop_back();
   }
-  m.flow.jump(target->at);
+  jump_to(m, target->at);
   return {};
+}
+
+void Sinumerik::jump_to(Interpreter& m, const Position& to) {
+  loops_ = loops_ || to.offset <= m.block->position.offset;
+  m.flow.jump(to);
 }
 
 // NOLINTNEXTLINE(readability-function-size): one switch over the keywords
@@ -126,14 +124,14 @@ Result<bool> Sinumerik::structure(Interpreter& m, const NamedBlock& block, Keywo
       if (!*on) m.flow.jump(partner.after);
       return true;
     }
-    case Keyword::endwhile: m.flow.jump(partner.at); return true;
+    case Keyword::endwhile: jump_to(m, partner.at); return true;
     case Keyword::loop:
     case Keyword::repeat: return true;
-    case Keyword::endloop: m.flow.jump(partner.after); return true;
+    case Keyword::endloop: jump_to(m, partner.after); return true;
     case Keyword::until: {
       const auto on = condition();
       if (!on) return on;
-      if (!*on) m.flow.jump(partner.after);
+      if (!*on) jump_to(m, partner.after);
       return true;
     }
     case Keyword::for_: {
@@ -157,7 +155,7 @@ Result<bool> Sinumerik::structure(Interpreter& m, const NamedBlock& block, Keywo
     }
     case Keyword::endfor: {
       memory.counts_on = partner.at;  // FOR, which is executed again, counts and does not set its variable
-      m.flow.jump(partner.at);
+      jump_to(m, partner.at);
       return true;
     }
     default: return true;
@@ -269,8 +267,16 @@ Result<bool> Sinumerik::next_position(Interpreter& m) {
   return true;
 }
 
-/// Ends a repeated part, or a program whose last block was executed.
 Result<bool> Sinumerik::finish(Interpreter& m) {
+  if (has_open_parts()) {
+    const auto ended = end_part(m);
+    if (!ended || *ended) return ended;
+  }
+  return loops_ && memory.macros.empty() && level().executing && m.runs_unseen() && calculation_.run(m);
+}
+
+/// Ends a repeated part, or a program whose last block was executed. Returns false if the next block follows.
+Result<bool> Sinumerik::end_part(Interpreter& m) {
   if (memory.pattern && memory.pattern->depth == m.program().depth()) return next_position(m);
   const Position next = m.program().position();
   if (!memory.repeated.empty() && memory.repeated.back().depth == m.program().depth()) {

@@ -3,6 +3,7 @@
 #include "control/sinumerik/program_index.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 
 #include "base/ascii.h"
@@ -193,6 +194,14 @@ const LabelRow* ProgramIndex::label(const std::string& name, const Position& fro
     best = &row;
   }
   return best;
+}
+
+const LabelRow* jump_target(const ProgramIndex& index, std::string_view jump, std::string label, const Position& from) {
+  if (label.size() > 1 && label[0] == 'N' && is_digit(label[1])) label = "N" + std::to_string(std::strtoul(label.c_str() + 1, nullptr, 10));
+  const LabelRow* target = nullptr;
+  if (jump != "GOTOB") target = index.label(label, from, true);
+  if (target == nullptr && jump != "GOTOF") target = index.label(label, from, false);
+  return target;
 }
 
 const LabelRow* ProgramIndex::section_label(const std::string& name, const Position& from) const {

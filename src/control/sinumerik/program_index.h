@@ -22,6 +22,8 @@ enum class Keyword : std::uint8_t { if_, else_, endif, while_, endwhile, for_, e
 /// Returns the keyword of the block's structure; `none` if the block begins, divides and ends no structure.
 Keyword structure_of(std::string_view statement);
 
+inline constexpr std::int32_t deepest_structure = 16;
+
 /// A block that begins, divides or ends a structure.
 struct StructureRow {
   Keyword keyword = Keyword::none;
@@ -73,6 +75,10 @@ class ProgramIndex {
   std::map<std::string, std::vector<std::size_t>> by_name_;
   std::vector<ProgramRow> programs_;
 };
+
+/// Returns where a jump goes: GOTOF forward, GOTOB backward, GOTO and GOTOC forward, else backward; nullptr if the label is missing there.
+///   label  in upper case; N010 is the block number N10
+const LabelRow* jump_target(const ProgramIndex& index, std::string_view jump, std::string label, const Position& from);
 
 /// Returns the text in capitals.
 std::string in_capitals(std::string_view text);

@@ -14,6 +14,7 @@
 
 #include "control/dialect.h"
 #include "control/interpreter.h"
+#include "control/sinumerik/calculation.h"
 #include "control/sinumerik/memory.h"
 #include "control/sinumerik/program_index.h"
 #include "lang/named/named_block.h"
@@ -90,9 +91,7 @@ class Sinumerik final : public Dialect {
   Result<bool> end_of_file(BlockContext& m) override;
 
   // ---- blocks
-  bool has_unfinished() const override {
-    return memory.levels.size() > 1 || memory.pattern || !memory.repeated.empty() || !memory.levels.front().name.empty();
-  }
+  bool has_unfinished() const override { return loops_ || has_open_parts(); }
   Result<bool> finish(Interpreter& m) override;
   Result<bool> statement(Interpreter&) override { return false; }
   Result<bool> takes_block(Interpreter& m) override;
@@ -150,6 +149,7 @@ class Sinumerik final : public Dialect {
     written_.push_back({nullptr, index, frame_value(std::exchange(memory.settable[index], frame))});
   }
   // flow.cpp
+  void jump_to(Interpreter& m, const Position& to);
   Status jump(Interpreter& m, const NamedBlock& block, const NamedItem& item);
   Result<bool> structure(Interpreter& m, const NamedBlock& block, Keyword keyword);
   Status choose(Interpreter& m, const NamedBlock& block);
@@ -196,6 +196,10 @@ class Sinumerik final : public Dialect {
  private:
   friend class BlockRun;
   struct State;
+  bool has_open_parts() const {
+    return memory.levels.size() > 1 || memory.pattern || !memory.repeated.empty() || !memory.levels.front().name.empty();
+  }
+  Result<bool> end_part(Interpreter& m);
   bool needs_names(const BlockContext& m) const;
   Result<bool> run_named(Interpreter& m);
   Result<bool> run_statement(Interpreter& m);
@@ -215,6 +219,8 @@ class Sinumerik final : public Dialect {
   Modes before_;
   std::vector<WrittenValue> written_;  // values that the block has replaced, in their order
   bool kept_ = false;
+  bool loops_ = false;  // the program has jumped back, so that lines are executed again
+  Calculation calculation_{*this};
   Axes previous_{};              // work coordinates before the motion that comes next
   bool executes_text_ = false;   // within EXECSTRING
   std::string executed_;         // its text, in the place of the block

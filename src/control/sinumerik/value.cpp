@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include "control/sinumerik/number.h"
 
 namespace kadr::sinumerik {
 
@@ -37,26 +37,22 @@ Value initial_value(Type type) {
 Result<Value> converted(const Value& value, Type to, Span where) {
   const auto impossible = [&] { return fail(alarm(AlarmId::conversion_impossible, where, name_of(value.type), name_of(to))); };
   if (value.type == to) return value;
-  constexpr double largest = 2147483647;
   switch (to) {
     case Type::integer:
-      if (!value.is_number()) return impossible();
-      // INFERRED: halves are rounded away from zero
-      if (!(std::fabs(std::round(value.number)) <= largest)) return fail(alarm(AlarmId::value_limit, where, value.number));
-      return integer(std::round(value.number));
     case Type::real:
-      if (!value.is_number()) return impossible();
-      return real(value.number);
     case Type::boolean:
-      if (value.is_number()) return boolean(value.number != 0);
-      if (value.type == Type::text) return boolean(!value.text.empty());
-      return impossible();
     case Type::character: {
-      Value letter = initial_value(Type::character);
-      if (value.type == Type::text && value.text.size() == 1) letter.number = static_cast<unsigned char>(value.text[0]);
-      else if (value.is_number() && value.number >= 0 && value.number <= 255) letter.number = std::round(value.number);
-      else return impossible();
-      return letter;
+      if (value.type == Type::text && to == Type::boolean) return boolean(!value.text.empty());
+      Value made = initial_value(to);
+      if (value.type == Type::text && to == Type::character && value.text.size() == 1) {
+        made.number = static_cast<unsigned char>(value.text[0]);
+        return made;
+      }
+      const auto number = value.is_number() ? number_as(to, value.number) : std::nullopt;
+      if (!number && value.is_number() && to == Type::integer) return fail(alarm(AlarmId::value_limit, where, value.number));
+      if (!number) return impossible();
+      made.number = *number;
+      return made;
     }
     case Type::text:
       if (value.type == Type::character) return text_value(std::string(1, static_cast<char>(static_cast<int>(value.number))));
