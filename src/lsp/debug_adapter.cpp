@@ -221,6 +221,7 @@ bool DebugAdapter::asks_for(const Origin& block) const {
 
 /// Holds the program where the step ends, or where a message waits. A loop without motions can be held only here.
 void DebugAdapter::before_block(const Origin& block) {
+  if (search_ && search_->inside && stop_.requested()) stepping_->hold_next();
   if (!running_) return;
   const bool ends = asks_for(block);
   interrupted_ = !ends && stop_.requested();
@@ -229,9 +230,9 @@ void DebugAdapter::before_block(const Origin& block) {
 
 void DebugAdapter::work(const StopToken& stop) {
   set_thread_language(lang_);
+  stop_ = stop;
   while (search_ && !stop.requested()) search_back();
   if (std::exchange(interrupted_, false)) stepping_->begin(Stepping::How::free);
-  stop_ = stop;
   while (running_ && !stop.requested()) {
     const Session::State state = session_->go_on();
     if (state == Session::State::held && interrupted_ && stepping_->hit() == 0) break;
@@ -333,7 +334,7 @@ void DebugAdapter::search_back() {
     return special == special_.end() || special->second.message.empty();
   };
   quiet_ = true;
-  const auto state = history_->search(*search_, holds);
+  const auto state = history_->search(*search_, holds, stop_);
   quiet_ = false;
   if (state && !*state) return;
   search_.reset();

@@ -44,23 +44,28 @@ Result<Session::State> RunHistory::go_back(std::uint32_t number) {
   return stepping_.go_to(target);
 }
 
-/// Runs up to the block with the number `until`. Returns the number of the last block before it at which a stop point holds the program.
-std::optional<std::uint32_t> RunHistory::last_stop(std::uint32_t until, const std::function<bool(std::size_t)>& holds) {
-  std::optional<std::uint32_t> last;
+/// Runs on to the block with the number `until`, and notes the last block before it at which a stop point holds the program.
+///   returns  false if `stop` has ended the run before that block
+bool RunHistory::search_part(Search& of, const std::function<bool(std::size_t)>& holds, const StopToken& stop) {
   StopPoint end;
-  end.number = until;
+  end.number = of.until;
   const std::size_t added = stepping_.add(end);
-  while (stepping_.go(Stepping::How::free) == Session::State::held && stepping_.next()->number < until)
-    if (holds(stepping_.hit())) last = stepping_.next()->number;
+  bool ended = true;
+  while (stepping_.go(Stepping::How::free) == Session::State::held && stepping_.next()->number < of.until) {
+    if (stepping_.hit() != 0 && holds(stepping_.hit())) of.last = stepping_.next()->number;
+    if (!stop.requested()) continue;
+    ended = false;
+    break;
+  }
   stepping_.remove(added);
-  return last;
+  return ended;
 }
 
 RunHistory::Search RunHistory::begin_search() const {
   return {stepping_.next() ? stepping_.next()->number : session_.control().origin().number + 1};
 }
 
-Result<std::optional<Session::State>> RunHistory::search(Search& of, const std::function<bool(std::size_t)>& holds) {
+Result<std::optional<Session::State>> RunHistory::search(Search& of, const std::function<bool(std::size_t)>& holds, const StopToken& stop) {
   const auto to = [&](std::uint32_t number) -> Result<std::optional<Session::State>> {
     const auto state = go_back(number);
     if (!state) return fail(state.error());
@@ -69,9 +74,15 @@ Result<std::optional<Session::State>> RunHistory::search(Search& of, const std::
   const bool any = std::any_of(stepping_.points().begin(), stepping_.points().end(), [&](const auto& point) { return holds(point.first); });
   if (!first_ || !any) return to(0);
   const auto after = [](const Kept& kept) { return kept.number + 2; };  // the block directly after a snapshot is not asked about again
-  while (!all_.empty() && after(all_.back()) >= of.until) all_.pop_back();
-  KADR_TRY(stepping_.restore(all_.empty() ? *first_ : all_.back().memory));
-  if (const auto found = last_stop(of.until, holds)) return to(*found);
+  if (!of.inside) {
+    while (!all_.empty() && after(all_.back()) >= of.until) all_.pop_back();
+    KADR_TRY(stepping_.restore(all_.empty() ? *first_ : all_.back().memory));
+    of.inside = true;
+    of.last.reset();
+  }
+  if (!search_part(of, holds, stop)) return std::optional<Session::State>();
+  of.inside = false;
+  if (of.last) return to(*of.last);
   if (all_.empty()) return to(0);
   of.until = after(all_.back());
   return std::optional<Session::State>();

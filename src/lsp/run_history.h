@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/stop_token.h"
 #include "session/stepping.h"
 
 namespace kadr {
@@ -27,17 +28,20 @@ class RunHistory {
   Result<Session::State> go_back(std::uint32_t number);
   /// A search for the last block before the present one at which a stop point holds the program.
   struct Search {
-    std::uint32_t until = 0;  // the blocks from this number on have been searched
+    std::uint32_t until = 0;              // the blocks from this number on have been searched
+    bool inside = false;                  // true: a part of the run before `until` is being searched
+    std::optional<std::uint32_t> last{};  // the last block found in that part so far
   };
   Search begin_search() const;
   /// Searches the part of the run from one snapshot to the next. If nothing is found there, the session is held at the end of that part.
   ///   holds    returns false for a stop point, by its number, that is passed over
+  ///   stop     ends the search where the session is held next (Stepping::hold_next()); the next call continues there
   ///   returns  the state of the session at the block that was found, or at the beginning; nullopt: the search goes on
   ///   alarms   as Session::restore()
-  Result<std::optional<Session::State>> search(Search& of, const std::function<bool(std::size_t)>& holds);
+  Result<std::optional<Session::State>> search(Search& of, const std::function<bool(std::size_t)>& holds, const StopToken& stop);
 
  private:
-  std::optional<std::uint32_t> last_stop(std::uint32_t until, const std::function<bool(std::size_t)>& holds);
+  bool search_part(Search& of, const std::function<bool(std::size_t)>& holds, const StopToken& stop);
 
   struct Kept {
     Stepping::Memory memory;

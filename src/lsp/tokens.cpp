@@ -80,14 +80,13 @@ void add_around(Token token, const std::vector<Token>& names, std::vector<Token>
   if (token.where.begin < token.where.end) to.push_back(token);
 }
 
-/// Returns the tokens of a line, in its order. They do not overlap.
-std::vector<Token> tokens_of(std::string_view line, const std::vector<NamedPlace>& names, const Grammar& grammar) {
+/// Returns the tokens of a line, in its order. They do not overlap. `block`: only its memory is used, since a Block is large.
+std::vector<Token> tokens_of(std::string_view line, const std::vector<NamedPlace>& names, const Grammar& grammar, Block& block) {
   const auto before = [](const Token& a, const Token& b) { return a.where.begin < b.where.begin; };
   std::vector<Token> of_names, words;
   for (const NamedPlace& place : names)
     if (const auto token = token_of(place, line); token && of_names.size() < most_names) of_names.push_back(*token);
   std::stable_sort(of_names.begin(), of_names.end(), before);
-  Block block;
   for (std::size_t from = 0; from < line.size();) {
     block.clear();
     const auto lexed = lex_block(line, from, true, grammar, block);
@@ -116,10 +115,11 @@ LspJson tokens_json(const OpenDocument& document, const std::optional<TextRange>
   const std::size_t first = range ? range->start.line : 0;
   const std::size_t end = std::min(range ? std::size_t{range->end.line} + 1 : document.text().lines(), document.text().lines());
   std::uint32_t last_line = 0;
+  Block block;
   for (std::size_t n = first; n < end; ++n) {
     const std::string_view line = document.text().line(n).substr(0, longest_coloured);
     std::uint32_t last_column = 0;
-    for (const Token& token : tokens_of(line, document.names()->line(n), document.opened()->def->grammar)) {
+    for (const Token& token : tokens_of(line, document.names()->line(n), document.opened()->def->grammar, block)) {
       if (token.where.end > line.size()) continue;
       const TextRange place = document.text().range_of(n, token.where);
       const auto at = static_cast<std::uint32_t>(n);
