@@ -27,7 +27,8 @@ namespace {
 // offset of the exit status: as in shells, the status is this number plus the number of the signal
 constexpr int first_of_signals = 128;
 // time in which a command can end by itself after a signal; the limit ensures that every command ends within 0.2 s
-constexpr auto grace = std::chrono::milliseconds(150);
+// (a command that moves a machine asks for more)
+std::atomic<std::chrono::milliseconds> grace = std::chrono::milliseconds(150);
 
 std::atomic<bool> stop_requested = false;
 
@@ -65,7 +66,7 @@ void watch(int signals) {
     if (errno != EINTR) return;
   const int signal = pending();
   stop_requested = true;
-  std::this_thread::sleep_for(grace);
+  std::this_thread::sleep_for(grace.load());
   ResultFile::discard_all();
   erase_bar();
   ::_exit(first_of_signals + signal);
@@ -82,7 +83,8 @@ void handle_instead(const sigset_t& signals) {
   how.sa_handler = [](int signal) {  // NOLINT: a union
     handled = signal;
     stop_requested = true;
-    const itimerval after = {{0, 0}, {0, std::chrono::microseconds(grace).count()}};
+    const std::chrono::milliseconds time = grace;
+    const itimerval after = {{0, 0}, {time.count() / 1000, time.count() % 1000 * 1000}};
     (void)::setitimer(ITIMER_REAL, &after, nullptr);
   };
   how.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal ends the process at once, as the handler is then removed
@@ -102,6 +104,8 @@ void catch_interrupts() {
   if (wakes >= 0) ::close(wakes);
   handle_instead(signals);
 }
+
+void allow_after_signal(std::chrono::milliseconds time) { grace = time; }
 
 StopToken stop_token() { return StopToken(stop_requested); }
 bool interrupted() { return pending() != 0; }

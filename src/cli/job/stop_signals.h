@@ -4,6 +4,8 @@
 
 #include <spawn.h>
 
+#include <chrono>
+
 #include "base/stop_token.h"
 
 namespace kadr::cli {
@@ -12,6 +14,9 @@ namespace kadr::cli {
 /// before any other thread starts. A command that has not ended 0.15 s after the signal is ended by force. Then its unfinished files are
 /// deleted (ResultFile), and the state file contains the last complete block.
 void catch_interrupts();
+
+/// Lets the command continue for this time after a signal, instead of 0.15 s: a command that moves a machine must bring it to rest first.
+void allow_after_signal(std::chrono::milliseconds time);
 
 /// Returns the token that every long loop polls.
 StopToken stop_token();

@@ -27,6 +27,7 @@ struct Commands {
   EditOptions edit;
   ServeOptions serve;
   LspOptions lsp;
+  DriveOptions drive;
   ReportOptions report;
   std::string machine;  // argument of the command `machines`; empty: all machines
   std::string shell;    // argument of the command `completion`

@@ -154,6 +154,21 @@ struct LspOptions {
 int serve_language(const LspOptions& options);
 int serve_debugging(const LspOptions& options);
 
+/// The options of kadr drive.
+struct DriveOptions {
+  Options run;
+  std::string program;   // empty with --status
+  std::string port;      // device, or tcp:HOST:PORT
+  std::string settings;  // file with the recorded answers of a controller, which is used instead of a port
+  std::string log = "kadr-drive.log";
+  int baud = 115200;
+  double ahead = 0;  // greatest time of motion in the controller's buffers, s; 0: no limit
+  bool go = false, status = false, home = false, unlock = false;
+  std::vector<std::string> accepted;  // rows of the proof that the user accepts
+  std::string out;                    // file for the lines that are sent; empty: none
+};
+int drive_machine(const DriveOptions& options);
+
 struct ExplainOptions {
   std::string control;
   std::string code;  // code that is explained; empty: the whole control is described

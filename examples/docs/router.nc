@@ -1,0 +1,16 @@
+(A contour for a small router)
+G21 G90 G94 G17
+G54
+M3 S8000
+G4 P1
+G0 Z5
+G0 X0 Y0
+G1 Z-1 F200
+G1 X40 F800
+G1 Y20
+G2 X35 Y25 I-5 J0
+G1 X0
+M0 (look at the chips)
+G1 Y0
+G0 Z5
+M30

@@ -1,0 +1,35 @@
+#pragma once
+// DriveProgram: the program of kadr drive as a text for Grbl. A program of another control is converted, with proof, before.
+
+#include <memory>
+#include <optional>
+
+#include "cli/job/job.h"
+#include "drive/grbl/grbl_job.h"
+
+namespace kadr::cli {
+
+class DriveProgram {
+ public:
+  /// Loads the program that the options name. Prints errors and returns nullptr.
+  static std::unique_ptr<DriveProgram> load(const DriveOptions& options);
+
+  /// Opens the program as a job, for a controller with these settings and at this position. Prints an error and returns nullptr if the
+  /// set-up does not fit.
+  std::unique_ptr<drive::GrblJob> open(const drive::GrblSettings& settings, const std::optional<drive::GrblPoint>& position) const;
+  const Job& job() const { return job_; }
+  const Setup& setup() const { return setup_; }
+
+ private:
+  DriveProgram(Job job, const RunLimits& limits) : job_(std::move(job)), limits_(limits) {}
+  bool convert();
+  std::unique_ptr<Session> session(std::shared_ptr<ByteSource> text, const Setup& setup) const;
+
+  Job job_;
+  RunLimits limits_;
+  std::shared_ptr<const ControlDef> grbl_;
+  std::shared_ptr<ByteSource> text_;  // the text for Grbl
+  Setup setup_;                       // the set-up for this text, as far as the user states it
+};
+
+}  // namespace kadr::cli

@@ -1,0 +1,189 @@
+// A program for Grbl as the lines of a job. Used by kadr drive, tested by tests/drive/grbl_job_test.cpp.
+
+#include "drive/grbl/grbl_job.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lang/block/line_word_reader.h"
+
+namespace kadr::drive {
+namespace {
+
+constexpr double chord = 0.01;  // greatest distance of an arc from the chords by which its path is stored, mm
+
+GrblPoint point_of(const Axes& axes) { return {axes[0], axes[1], axes[2]}; }
+
+/// Calls `use` with each word of a filtered line: its letter, its number, and where it begins and ends.
+template <class Use>
+void each_word(std::string_view text, Use use) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t size = size_of_number(text.substr(at + 1));
+    use(text[at], value_of_digits(text.substr(at + 1, size)), at, at + 1 + size);
+    at += 1 + size;
+  }
+}
+
+/// True if the controller writes its EEPROM at this line, during which it loses bytes (eeprom.c): G10, G28.1, G30.1.
+bool writes_eeprom(std::string_view text) {
+  bool writes = false;
+  each_word(text, [&](char letter, double value, std::size_t, std::size_t) {
+    const auto tenths = std::lround(value * 10);
+    writes = writes || (letter == 'G' && (tenths == 100 || tenths == 281 || tenths == 301));
+  });
+  return writes;
+}
+
+/// Returns the line without the words M0 and M1, which Kadr executes itself.
+std::string without_stop(std::string_view text) {
+  std::string rest;
+  each_word(text, [&](char letter, double value, std::size_t begin, std::size_t end) {
+    if (letter != 'M' || (value != 0 && value != 1)) rest += text.substr(begin, end - begin);
+  });
+  const bool has_more = std::any_of(rest.begin(), rest.end(), [](char c) { return c >= 'A' && c <= 'Z' && c != 'N'; });
+  return has_more ? rest : std::string();
+}
+
+}  // namespace
+
+GrblJob::GrblJob(std::unique_ptr<Session> session, std::shared_ptr<ByteSource> text)
+    : text_(std::move(text)), reader_(text_), session_(std::move(session)) {
+  Outlets& outlets = session_->outlets();
+  outlets.wants_times = true;
+  outlets.warning = [](const AlarmReport&) {};
+  outlets.alarm = [this](const AlarmReport& report) {
+    needs_.alarm = report;
+    return false;
+  };
+  if (session_->look_ahead()) outlets.timed = [this](const Step& step, double longer) { take(step, longer); };
+  else outlets.step = [this](const Step& step) { take(step, 0); };
+}
+
+void GrblJob::take(const Step& step, double longer) {
+  const std::uint32_t number = step.action.origin.line;
+  executed_ = std::max(executed_, number);
+  OfLine& line = steps_[number];
+  if (std::holds_alternative<Stop>(step.action.what)) {
+    line.stops = true;
+    return;
+  }
+  line.seconds += step.motion() != nullptr ? step.time.seconds + longer : step.pause;
+  if (const auto* const spindle = std::get_if<Spindle>(&step.action.what)) {
+    const bool turns = spindle->dir == SpindleDir::cw || spindle->dir == SpindleDir::ccw;
+    needs_.turns_spindle = needs_.turns_spindle || turns;
+    if (turns) needs_.speed = std::max(needs_.speed, spindle->rpm);
+  } else if (const auto* const speed = std::get_if<Speed>(&step.action.what)) {
+    needs_.speed = std::max(needs_.speed, speed->value);
+  } else if (const Motion* const motion = step.motion()) {
+    needs_.feed = std::max(needs_.feed, step.time.feed);
+    line.probes = line.probes || motion->kind == MotionKind::probe;
+    add_path(step, *motion, line);
+  }
+}
+
+void GrblJob::add_path(const Step& step, const Motion& motion, OfLine& line) {
+  const GrblPoint from = point_of(step.from.machine), to = point_of(motion.machine);
+  if (!needs_.first_target && from != to) {
+    needs_.start = from;
+    needs_.first_target = to;
+    needs_.first_line = step.action.origin.line;
+  }
+  const Curve& curve = step.curve();
+  const int pieces = curve.straight() ? 1 : curve.pieces(chord);
+  if (from == to && pieces == 1) return;
+  if (line.path.empty()) line.path.push_back(from);
+  for (int i = 1; i <= pieces; ++i) {
+    GrblPoint point = to;
+    if (i < pieces) {
+      const Axes work = curve.at(double(i) / pieces);
+      for (std::size_t a = 0; a < grbl_axes; ++a) point[a] = work[a] + (motion.machine[a] - motion.to[a]);
+    }
+    line.path.push_back(point);
+  }
+  for (const GrblPoint& point : line.path) {
+    if (!needs_.least) needs_.least = needs_.most = point;
+    for (std::size_t a = 0; a < grbl_axes; ++a) {
+      (*needs_.least)[a] = std::min((*needs_.least)[a], point[a]);
+      (*needs_.most)[a] = std::max((*needs_.most)[a], point[a]);
+    }
+  }
+}
+
+/// Executes the program until a step of a later line than `line` has come, so that `line` is complete.
+void GrblJob::run_past(std::uint32_t line) {
+  while (!ended_ && executed_ <= line) ended_ = session_->go_on() != Session::State::running;
+}
+
+void GrblJob::push(JobLine line) {
+  ++(line.kind == LineKind::stop ? needs_.stops : needs_.lines);
+  needs_.seconds += line.seconds;
+  if (line.number == needs_.first_line && needs_.first_text.empty()) needs_.first_text = line.text;
+  ready_.push_back(std::move(line));
+}
+
+std::optional<JobLine> GrblJob::next() {
+  Line source;
+  std::vector<std::uint32_t> place;
+  while (ready_.empty() && !needs_.refused && reader_.next(source)) {
+    const std::string text = filtered(source.bytes, place);
+    if (text.empty() || text == "%") continue;  // senders leave `%` out (spec/grbl 1.1)
+    run_past(source.number);
+    if (needs_.alarm && needs_.alarm->origin.line <= source.number) return std::nullopt;
+    if (text.front() == '$') {
+      needs_.refused = source.number;
+      return std::nullopt;
+    }
+    OfLine done;
+    if (const auto found = steps_.find(source.number); found != steps_.end()) {
+      done = std::move(found->second);
+      steps_.erase(steps_.begin(), std::next(found));
+    }
+    needs_.probes = needs_.probes || done.probes;
+    JobLine line{done.stops ? without_stop(text) : text, source.number, LineKind::plain, done.seconds, std::move(done.path)};
+    if (done.probes || writes_eeprom(text)) line.kind = LineKind::alone;
+    if (!line.text.empty()) push(std::move(line));
+    if (done.stops) push({text, source.number, LineKind::stop, 0, {}});
+  }
+  if (ready_.empty()) return std::nullopt;
+  JobLine line = std::move(ready_.front());
+  ready_.pop_front();
+  return line;
+}
+
+JobNeeds needs_of(GrblJob& job, const StopToken& stop) {
+  while (!stop.requested() && job.next()) {
+  }
+  return job.needs();
+}
+
+Setup setup_of_controller(Setup setup, const GrblSettings& settings, const std::optional<GrblPoint>& position, const ControlDef& control) {
+  constexpr const char* names[] = {"X", "Y", "Z"};
+  const auto values_of = [&](const GrblPoint& point) {
+    AxisValues values;
+    for (std::size_t a = 0; a < grbl_axes; ++a) values[names[a]] = point[a];
+    return values;
+  };
+  if (position) {
+    setup.start = values_of(*position);
+    setup.start_in_work = false;
+  }
+  for (const auto& [name, point] : settings.offsets) {
+    if (name == "G28" || name == "G30") setup.reference_points[name == "G28" ? 1 : 2] = values_of(point);
+    else if (name != "G92") setup.work_offsets[name] = values_of(point);
+  }
+  for (const auto& [number, value] : settings.values) {
+    const bool is_known = std::any_of(control.parameters.begin(), control.parameters.end(),
+                                      [n = number](const ParameterRow& row) { return row.number == n; });
+    if (is_known) setup.parameters[ParameterKey{fmt::format("{:04}", number), {}, {}}] = value;
+  }
+  for (int a = 0; a < static_cast<int>(grbl_axes); ++a) {
+    AxisLimits& axis = setup.machine[names[a]];
+    if (const double rate = settings.value(110 + a, 0); rate > 0) axis.rapid = rate;
+    if (const double acceleration = settings.value(120 + a, 0); acceleration > 0) axis.acceleration = acceleration;
+  }
+  return setup;
+}
+
+}  // namespace kadr::drive

@@ -1,0 +1,74 @@
+#pragma once
+// GrblJob: a program for Grbl as the lines of a job. Each line is executed by Kadr's interpreter before it is sent, so its path, its time
+// and its effect are known. The program is read as it is needed: memory does not grow with its length.
+//
+//   text ──filter of protocol.c──▶ line as it is sent ─┐
+//   Session ──steps of the line──▶ path, time, kind ───┴─▶ JobLine
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "drive/grbl/grbl_settings.h"
+#include "drive/grbl/job_line.h"
+#include "session/session.h"
+
+namespace kadr::drive {
+
+/// What a program needs of the machine, found by executing it.
+struct JobNeeds {
+  std::optional<GrblPoint> least, most;   // extents of the path in machine coordinates, mm; nullopt: nothing moves
+  GrblPoint start{};                      // position before the first motion, machine coordinates
+  std::optional<GrblPoint> first_target;  // end of the first motion
+  std::uint32_t first_line = 0;           // its line
+  std::string first_text;                 // and its text
+  double feed = 0;                        // greatest feed, mm/min
+  double speed = 0;                       // greatest spindle speed, rev/min
+  bool turns_spindle = false, probes = false;
+  std::uint64_t lines = 0, stops = 0;    // lines that are sent, and stops of the program
+  double seconds = 0;                    // time of all lines
+  std::optional<AlarmReport> alarm;      // the alarm that stopped the run
+  std::optional<std::uint32_t> refused;  // a line that may not be sent: a `$` line
+};
+
+class GrblJob {
+ public:
+  /// `session` has the program and has not begun; `text` is the text of the same program.
+  GrblJob(std::unique_ptr<Session> session, std::shared_ptr<ByteSource> text);
+
+  /// Returns the next line, nullopt at the end. A line without words is left out.
+  std::optional<JobLine> next();
+  /// What the lines returned so far need. After the last one, the program as a whole.
+  const JobNeeds& needs() const { return needs_; }
+
+ private:
+  struct OfLine {
+    double seconds = 0;
+    std::vector<GrblPoint> path;
+    bool stops = false, probes = false;
+  };
+  void take(const Step& step, double longer);
+  void add_path(const Step& step, const Motion& motion, OfLine& line);
+  void run_past(std::uint32_t line);
+  void push(JobLine line);
+
+  std::shared_ptr<ByteSource> text_;
+  LineReader reader_;
+  std::unique_ptr<Session> session_;
+  std::map<std::uint32_t, OfLine> steps_;  // what the lines do that were executed and not returned yet
+  std::uint32_t executed_ = 0;             // last line of which a step has come
+  bool ended_ = false;
+  std::deque<JobLine> ready_;
+  JobNeeds needs_;
+};
+
+/// Executes the whole job.
+JobNeeds needs_of(GrblJob& job, const StopToken& stop);
+
+/// Returns the set-up with which Kadr executes a program exactly as this controller will: its settings, offsets and position replace
+/// those of `setup`. Settings that the control's table of parameters does not have are left out.
+///   position  machine coordinates, mm
+Setup setup_of_controller(Setup setup, const GrblSettings& settings, const std::optional<GrblPoint>& position, const ControlDef& control);
+
+}  // namespace kadr::drive
