@@ -13,17 +13,15 @@ namespace {
 /// G codes that the words of the table do not describe completely; a block with one of them is read by lang/named.
 constexpr int own_codes[] = {140, 340, 341, 4,   25,  26,  33,  53,  58,  59,  63,  70,  71,  74, 75,
                              110, 111, 112, 147, 148, 153, 247, 248, 331, 332, 347, 348, 700, 710};
+}  // namespace
+
 bool is_own_code(double code) {
   return std::any_of(std::begin(own_codes), std::end(own_codes), [&](int own) { return own == code; });
 }
 
-}  // namespace
-
 bool Sinumerik::needs_names(const BlockContext& m) const {
   const Block& block = *m.block;
-  if (block.statement.kind == StatementKind::named || memory.motion != NamedMotion::none || memory.feed_in_mm ||
-      memory.override_percent != 100)
-    return true;
+  if (block.statement.kind == StatementKind::named || !words_are_plain()) return true;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
     if (w.address == 'G' && is_own_code(w.code / 10.0)) return true;
@@ -36,6 +34,7 @@ Result<bool> Sinumerik::takes_block(Interpreter& m) {
   words = {};
   kept_ = circle_by_name_ = false;
   previous_ = m.position.work;
+  if (takes_kept_words(m)) return false;
   if (!needs_names(m)) {
     if (m.block->word_count > 0) level().executing = level().acted = true;  // a line with a comment alone may stand before PROC and DEF
     if ((m.block->letters & missing_axes) != 0)
@@ -48,6 +47,18 @@ Result<bool> Sinumerik::takes_block(Interpreter& m) {
     return false;
   }
   return run_named(m);
+}
+
+/// Takes the words of a line that was executed before. Returns false if it is not kept.
+bool Sinumerik::takes_kept_words(BlockContext& m) {
+  Level& own = level();
+  const bool begun = own.executing || own.took_arguments || !own.has_arguments;
+  if (!m.block->repeated || !begun || !words_are_plain() || !memory.macros.empty()) return false;
+  Block* const kept = word_lines_.words_of(m);
+  if (kept == nullptr) return false;
+  m.block = kept;
+  own.executing = own.acted = true;
+  return true;
 }
 
 /// Reads the block, and executes it in a copy, because its words depend on values that change.
@@ -138,7 +149,9 @@ Result<bool> Sinumerik::run_statement(Interpreter& m) {
     return BlockRun(m, *this, *made).run();
   }
   const auto made = kept;
-  return BlockRun(m, *this, *made).run();
+  auto done = BlockRun(m, *this, *made).run();
+  if (done && !*done && block.repeated && words_are_plain() && memory.macros.empty() && !executes_text_) word_lines_.keep(m, *made, block);
+  return done;
 }
 
 }  // namespace kadr::sinumerik

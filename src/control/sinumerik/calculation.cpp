@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "control/sinumerik/sinumerik.h"
 
@@ -61,7 +62,7 @@ bool Calculation::pushed_variable(const Step& step, Number* stack, std::size_t& 
 
 /// Returns false if the expression has no number as its value, or causes an alarm.
 bool Calculation::value(Code code, Number& to) {
-  std::array<Number, most_values> stack;  // NOLINT: each value is written before it is read
+  auto& stack = stack_;
   std::size_t n = 0;
   for (std::uint32_t i = code.begin; i < code.end; ++i) {
     const Step& step = code_[i];
@@ -166,8 +167,42 @@ std::optional<bool> Calculation::execute(const Line& line) {
       return value(line.condition, on) ? std::optional((on.value != 0) == (line.kind == Kind::jump_if)) : std::nullopt;
     case Kind::count: return count(line);
     case Kind::count_on: own_.memory.counts_on = line.target; return true;
+    default: return std::nullopt;
   }
-  return std::nullopt;
+}
+
+bool Calculation::call(Interpreter& m, const Call& of) {
+  std::vector<Value> arguments;
+  std::vector<std::shared_ptr<Variable>> references;
+  for (std::size_t i = 0; i < of.arguments.size(); ++i) {
+    Number number;
+    if (!value(of.arguments[i], number)) return false;
+    arguments.push_back({number.type, false, number.value, {}, {}});
+    references.push_back(of.references[i].empty() ? nullptr : own_.variable(of.references[i]));
+  }
+  m.origin = of.origin;
+  m.origin.number = static_cast<std::uint32_t>(m.program().blocks());
+  m.origin.depth = static_cast<std::uint8_t>(std::min<std::size_t>(m.program().depth(), 255));
+  own_.level().acted = true;
+  return own_.call(m, of.program, of.name, std::move(arguments), std::move(references), !of.arguments.empty(), 1, {}).has_value();
+}
+
+bool Calculation::steer(Interpreter& m, const Line& line) {
+  if (m.watches_calls()) return false;
+  Level& level = own_.level();
+  switch (line.kind) {
+    case Kind::call: return call(m, *line.call);
+    case Kind::parameters: {
+      if (level.executing || level.took_arguments || !level.variables.empty()) return false;
+      if (own_.procedure(m, line.call->read)) return true;
+      level.took_arguments = false;
+      level.variables.clear();
+      return false;
+    }
+    default:  // M17, RET
+      if (own_.memory.levels.size() == 1 || level.saved || (level.has_arguments && !level.took_arguments)) return false;
+      return own_.leave(m, {}).has_value();
+  }
 }
 
 bool Calculation::run(Interpreter& m) {
@@ -179,27 +214,42 @@ bool Calculation::run(Interpreter& m) {
   const auto leaves_part = [&](const Position& to) {
     return part != nullptr && (to.offset < part->begin.offset || to.offset >= part->end.offset);
   };
-  const std::uint64_t most = std::min(most_at_once, m.program().repeats_left());
+  constexpr std::uint64_t last_blocks = 2;  // by the general path, so that the alarm of an endless program names the right line
+  const std::uint64_t left = m.program().repeats_left();
+  const std::uint64_t most = std::min(most_at_once, left - std::min(left, last_blocks));
   std::uint64_t done = 0;
-  for (std::int32_t at = line_at(m, now); done < most && !leaves_part(now);) {
+  for (std::int32_t at = line_at(m, now); at != 0 && done < most && !leaves_part(now);) {
     Line& line = lines_[static_cast<std::size_t>(at)];
     if (line.label_slot && variable(*line.label_slot) != nullptr) break;
+    if (line.kind >= Kind::call) {
+      m.flow.jump(line.after);
+      if (steer(m, line)) {
+        m.flow.pass(done + 1);
+        return true;
+      }
+      break;
+    }
     if (line.kind == Kind::other || (line.kind >= Kind::jump && leaves_part(line.target))) break;
+    Level& level = own_.level();
+    if (!level.executing && line.kind != Kind::nothing) {
+      if (level.has_arguments && !level.took_arguments) break;
+      level.executing = true;
+    }
     const auto jumps = execute(line);
     if (!jumps) {
       undo();
       break;
     }
     written_.clear();
-    if (*jumps && line.acts) own_.level().acted = true;
+    if (*jumps && line.acts) level.acted = true;
     now = *jumps ? line.target : line.after;
     std::int32_t& follows = *jumps ? line.jumped : line.next;
     if (follows < 0) follows = line_at(m, now);
     at = follows;
     ++done;
   }
+  if (m.program().position() != now) m.flow.jump(now);
   if (done == 0) return false;
-  m.flow.jump(now);
   m.flow.pass(done);
   return true;
 }

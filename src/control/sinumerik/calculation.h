@@ -13,14 +13,16 @@
 #include <unordered_map>
 #include <vector>
 
+#include "action/origin.h"
 #include "control/sinumerik/number.h"
 #include "control/sinumerik/program_index.h"
 #include "lang/block/block_reader.h"
 #include "lang/named/named_block.h"
 
 namespace kadr {
+class BlockContext;
 class Interpreter;
-}
+}  // namespace kadr
 
 namespace kadr::sinumerik {
 
@@ -34,6 +36,18 @@ class Calculation {
   bool run(Interpreter& m);
   /// To be called when a name may mean another variable: after DEF, PROC, a call and a return.
   void forget_variables() { std::fill(slots_.begin(), slots_.end(), &unknown_); }
+  // ---- expressions, for the lines that others keep
+  struct Code {
+    std::uint32_t begin = 0, end = 0;
+  };
+  /// Compiles an expression of numbers; nullopt if it has anything else.
+  std::optional<Code> compiled(const NamedBlock& read, NamedExpression expression);
+  /// Computes an expression. Returns false if its value is no number, or if it causes an alarm.
+  bool value(Code code, Number& to);
+  std::uint32_t slot_of(const std::string& name);
+  /// Returns the variable that the name of the slot means now; nullptr if there is none.
+  Variable* variable(std::uint32_t slot);
+
   /// To be called when the numbers of the files may mean other files.
   void forget_all();
 
@@ -48,9 +62,6 @@ class Calculation {
     Number number;
     const NumberFunction* function = nullptr;
   };
-  struct Code {
-    std::uint32_t begin = 0, end = 0;
-  };
   /// What an assignment writes to.
   struct Target {
     std::optional<std::uint32_t> slot;  // variable; nullopt: an R parameter
@@ -58,7 +69,16 @@ class Calculation {
     std::vector<Code> indices;  // of the element; of R[…]: its number
     Code value;
   };
-  enum class Kind : std::uint8_t { other, nothing, assign, jump, jump_unless, jump_if, count, count_on };
+  enum class Kind : std::uint8_t { other, nothing, assign, jump, jump_unless, jump_if, count, count_on, call, parameters, leave };
+  /// A line that calls a program or returns from it, as the call stack needs it.
+  struct Call {
+    Origin origin;
+    NamedBlock read;  // PROC
+    std::string name;
+    FoundProgram program;
+    std::vector<Code> arguments;
+    std::vector<std::string> references;  // by argument: its name, if it is only a name; else empty
+  };
   /// A compiled line. `other`: the general path executes it.
   struct Line {
     Kind kind = Kind::other;
@@ -68,6 +88,7 @@ class Calculation {
     Code condition;                           // jump_if, jump_unless; count: the last value
     std::optional<std::uint32_t> label_slot;  // the label's name, if it could also be that of a variable with the label
     bool acts = false;                        // a jump, after which DEF is too late
+    std::shared_ptr<const Call> call;         // call, parameters, leave
   };
   struct File {
     std::unique_ptr<BlockReader> reader;
@@ -79,27 +100,27 @@ class Calculation {
   };
 
   // calculation_lines.cpp
-  std::int32_t line_at(const Interpreter& m, const Position& at);
-  void compile(const Interpreter& m, const ProgramIndex& index, Line& line, Block& block);
+  std::int32_t line_at(Interpreter& m, const Position& at);
+  void compile(Interpreter& m, const ProgramIndex& index, Line& line, Block& block);
   bool structure(const ProgramIndex& index, const NamedBlock& read, Keyword keyword, Line& line);
   bool counted(const NamedBlock& read, Line& line);
   bool conditional(const ProgramIndex& index, const NamedBlock& read, Line& line);
   bool to_label(const ProgramIndex& index, const NamedItem& item, Line& line);
   bool assignments(const NamedBlock& read, Line& line);
   bool target_of(const NamedBlock& read, const NamedItem& item, Target& target);
-  std::optional<Code> compiled(const NamedBlock& read, NamedExpression expression);
+  bool call_of(Interpreter& m, const NamedItem& item, const NamedBlock& read, const Origin& origin, Line& line);
   bool step(const NamedStep& from, std::size_t& depth);
-  std::uint32_t slot_of(const std::string& name);
 
   // calculation.cpp
-  Variable* variable(std::uint32_t slot);
-  bool value(Code code, Number& to);
   bool pushed_variable(const Step& step, Number* stack, std::size_t& count);
   double* place(const Target& target, Type& type);
   bool write(double* to, Type type, Number value);
   /// Executes a line. Returns nullopt if the general path must execute it; then nothing has changed. Otherwise: whether it jumps.
   std::optional<bool> execute(const Line& line);
   std::optional<bool> count(const Line& line);
+  /// Executes a line that calls, takes its arguments or returns. Returns false if the general path must execute it.
+  bool steer(Interpreter& m, const Line& line);
+  bool call(Interpreter& m, const Call& of);
   void undo();
 
   static constexpr std::size_t most_values = 32;  // on the stack of an expression
@@ -111,9 +132,10 @@ class Calculation {
   std::vector<Step> code_;
   std::vector<std::string> names_;
   std::unordered_map<std::string, std::uint32_t> slot_by_name_;
-  Variable unknown_;              // marks a slot whose variable has not been looked for
-  std::vector<Variable*> slots_;  // nullptr: no variable has the name
-  std::vector<Written> written_;  // by the line that is being executed
+  Variable unknown_;                       // marks a slot whose variable has not been looked for
+  std::vector<Variable*> slots_;           // nullptr: no variable has the name
+  std::array<Number, most_values> stack_;  // of value(); a member, because initialising it takes longer than most expressions
+  std::vector<Written> written_;           // by the line that is being executed
 };
 
 }  // namespace kadr::sinumerik

@@ -1,15 +1,33 @@
 // Compiles lines (calculation.h). Used by control/sinumerik/calculation.
 
+#include <algorithm>
 #include <utility>
 
+#include "base/code_literals.h"
 #include "control/sinumerik/calculation.h"
 #include "control/sinumerik/sinumerik.h"
 #include "lang/named/named_parser.h"
 
 namespace kadr::sinumerik {
+namespace {
+
+/// Returns the place of the block, without its number in the order of execution.
+Origin origin_of(const Interpreter& m, const Block& block) {
+  Origin origin;
+  origin.line = block.position.line;
+  origin.column = block.where.begin + 1;
+  origin.block = block.number;
+  origin.has_block = block.has_number;
+  origin.main_block = block.main_block;
+  origin.block_digits = block.number_digits;
+  origin.file = m.program().reader();
+  return origin;
+}
+
+}  // namespace
 
 /// Returns the number of the line, which is compiled if it was not met before.
-std::int32_t Calculation::line_at(const Interpreter& m, const Position& at) {
+std::int32_t Calculation::line_at(Interpreter& m, const Position& at) {
   File& file = files_[m.program().reader()];
   if (lines_.empty()) lines_.emplace_back();  // the line of everything that is not compiled because there is too much of it
   if (lines_.size() >= most_lines && !file.lines.contains(at.offset)) return 0;
@@ -29,16 +47,29 @@ std::int32_t Calculation::line_at(const Interpreter& m, const Position& at) {
   return found->second;
 }
 
-void Calculation::compile(const Interpreter&, const ProgramIndex& index, Line& line, Block& block) {
-  if (block.skip != 0 || !block.warnings.empty() || block.word_count != 0) return;
+void Calculation::compile(Interpreter& m, const ProgramIndex& index, Line& line, Block& block) {
+  if (block.skip != 0 || !block.warnings.empty()) return;
   if (block.statement.kind != StatementKind::named) {
     if (block.empty() && block.comments.empty()) line.kind = Kind::nothing;
+    const bool returns = block.word_count == 1 && block.words[0].address == 'M' && block.words[0].code == 17_m && block.comments.empty();
+    if (returns) line.kind = Kind::leave;
     return;
   }
+  if (block.word_count != 0) return;
   const std::string_view text = block.text_of(block.statement.text);
   if (!text.empty() && text[0] == '%') return;
   const auto read = read_named_block(block.text, block.statement.text);
-  if (!read || read->kind != NamedKind::items) return;
+  if (!read || read->kind == NamedKind::definition || read->kind == NamedKind::macro) return;
+  if (read->kind == NamedKind::procedure) {
+    const bool numbers = std::all_of(read->definitions.begin(), read->definitions.end(), [](const NamedDefinition& row) {
+      return row.sizes.empty() && row.initial.empty() && !row.by_reference;
+    });
+    if (!numbers || !read->attributes.empty()) return;
+    line.kind = Kind::parameters;
+    line.call = std::make_shared<const Call>(Call{{}, *read, {}, {}, {}, {}});
+    return;
+  }
+  if (read->kind != NamedKind::items) return;
   if (read->items.empty()) {
     line.kind = Kind::nothing;
     return;
@@ -48,7 +79,8 @@ void Calculation::compile(const Interpreter&, const ProgramIndex& index, Line& l
   const bool done = keyword != Keyword::none ? structure(index, *read, keyword, line)
                     : read->items[0].kind == NamedItem::Kind::condition || read->items[0].kind == NamedItem::Kind::jump
                         ? conditional(index, *read, line)
-                        : assignments(*read, line);
+                    : read->items.size() == 1 && !read->items[0].has_equals ? call_of(m, read->items[0], *read, origin_of(m, block), line)
+                                                                            : assignments(*read, line);
   if (done) return;
   code_.resize(begin);
   line.kind = Kind::other;
@@ -125,6 +157,31 @@ bool Calculation::to_label(const ProgramIndex& index, const NamedItem& item, Lin
   line.target = target->at;
   line.label_slot = slot_of(item.text);
   line.acts = true;
+  return true;
+}
+
+/// A line that only calls a program with numbers as arguments, or returns: NAME(1,R2), M17, RET.
+bool Calculation::call_of(Interpreter& m, const NamedItem& item, const NamedBlock& read, const Origin& origin, Line& line) {
+  Call call;
+  call.origin = origin;
+  const bool returns = (item.kind == NamedItem::Kind::word && item.name == "M" && item.number == 17 && item.extension < 0) ||
+                       (item.kind == NamedItem::Kind::name && item.name == "RET" && item.arguments.empty());
+  line.kind = returns ? Kind::leave : Kind::call;
+  if (!returns) {
+    if (item.kind != NamedItem::Kind::name || item.value || !item.text.empty() || Sinumerik::is_frame_statement(item.name)) return false;
+    const auto found = own_.find_program(m, item.name);
+    if (!found) return false;
+    call.program = *found;
+    call.name = item.name;
+    for (const NamedExpression& each : item.arguments) {
+      const bool one_name = each.end == each.begin + 1 && read.code[each.begin].kind == NamedStep::Kind::name;
+      call.references.push_back(one_name ? read.code[each.begin].name : std::string());
+      const auto argument = compiled(read, each);
+      if (!argument) return false;
+      call.arguments.push_back(*argument);
+    }
+  }
+  line.call = std::make_shared<const Call>(std::move(call));
   return true;
 }
 

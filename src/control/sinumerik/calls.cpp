@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/ascii.h"
 #include "control/sinumerik/sinumerik.h"
@@ -130,15 +131,18 @@ Status Sinumerik::leave(Interpreter& m, Span where) {
     m.flow.end();
     return {};
   }
-  const Level ended = level();
+  Level ended = std::move(level());
   calculation_.forget_variables();
   const auto left = m.flow.end_subprogram(where);
-  if (!left) return fail(left.error());
+  if (!left) {
+    level() = std::move(ended);
+    return fail(left.error());
+  }
   if (*left == nullptr) {  // another pass: its local variables are new
     Level again;
-    again.name = ended.name;
-    again.arguments = ended.arguments;
-    again.references = ended.references;
+    again.name = std::move(ended.name);
+    again.arguments = std::move(ended.arguments);
+    again.references = std::move(ended.references);
     again.has_arguments = ended.has_arguments;
     level() = std::move(again);
     return {};

@@ -64,6 +64,7 @@ Status Sinumerik::restore(BlockContext&, const DialectState& from) {
   found_.clear();
   indices_.clear();
   calculation_.forget_all();
+  word_lines_.forget_all();
   return {};
 }
 

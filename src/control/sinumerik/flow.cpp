@@ -272,7 +272,7 @@ Result<bool> Sinumerik::finish(Interpreter& m) {
     const auto ended = end_part(m);
     if (!ended || *ended) return ended;
   }
-  return loops_ && memory.macros.empty() && level().executing && m.runs_unseen() && calculation_.run(m);
+  return loops_ && memory.macros.empty() && m.runs_unseen() && calculation_.run(m);
 }
 
 /// Ends a repeated part, or a program whose last block was executed. Returns false if the next block follows.

@@ -46,6 +46,12 @@ struct ProgramRow {
   Position begin, end;
 };
 
+/// A program with this name among the files of the run.
+struct FoundProgram {
+  std::uint16_t reader = 0;
+  Position begin;
+};
+
 class ProgramIndex {
  public:
   explicit ProgramIndex(const ProgramFile& file);

@@ -17,6 +17,7 @@
 #include "control/sinumerik/calculation.h"
 #include "control/sinumerik/memory.h"
 #include "control/sinumerik/program_index.h"
+#include "control/sinumerik/word_lines.h"
 #include "lang/named/named_block.h"
 
 namespace kadr::sinumerik {
@@ -64,12 +65,6 @@ struct BlockWords {
 /// Returns the folders in which the control looks for something besides the folder of the main program: `names` below that folder, below
 /// the one around it, and below the next one, as archives have them (spec/sinumerik 1).
 std::vector<std::string> folders_near(const std::string& main_file, std::initializer_list<const char*> names);
-
-/// A program with this name among the files of the run.
-struct FoundProgram {
-  std::uint16_t reader = 0;
-  Position begin;
-};
 
 /// The value that a block has replaced, for the case that the block fails.
 struct WrittenValue {
@@ -201,6 +196,9 @@ class Sinumerik final : public Dialect {
   }
   Result<bool> end_part(Interpreter& m);
   bool needs_names(const BlockContext& m) const;
+  bool takes_kept_words(BlockContext& m);
+  /// Returns true if no mode changes what plain words mean.
+  bool words_are_plain() const { return memory.motion == NamedMotion::none && !memory.feed_in_mm && memory.override_percent == 100; }
   Result<bool> run_named(Interpreter& m);
   Result<bool> run_statement(Interpreter& m);
   bool put_macros(Block& block);
@@ -221,6 +219,7 @@ class Sinumerik final : public Dialect {
   bool kept_ = false;
   bool loops_ = false;  // the program has jumped back, so that lines are executed again
   Calculation calculation_{*this};
+  WordLines word_lines_{*this, calculation_};
   Axes previous_{};              // work coordinates before the motion that comes next
   bool executes_text_ = false;   // within EXECSTRING
   std::string executed_;         // its text, in the place of the block
@@ -231,6 +230,9 @@ class Sinumerik final : public Dialect {
 ///   alarms  frame_component
 Result<double> component_of(const Frame& frame, std::size_t axis, const std::string& name, Span where);
 Status set_component_of(Frame& frame, std::size_t axis, const std::string& name, double value, Span where);
+
+/// Returns true for a G code that the words of the table do not describe completely.
+bool is_own_code(double code);
 
 /// Returns the G code at a place of its group, as G[8]=2 names G54 (spec/sinumerik 3.1, 4.1); nullopt if Kadr does not list it.
 std::optional<int> code_at_place(double group, double place);
