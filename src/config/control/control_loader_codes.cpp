@@ -121,7 +121,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   c.takes_all_axes = text(row, "takes").find('*') != std::string::npos;
   c.needs = letters(row, "needs");
   c.needs_axis = typed(row, "needs_axis", false);
-  c.works = typed(row, "works", true);
+  c.works = typed(row, "works", true) && c.function != Function::not_available;
   c.in_part = typed(row, "in_part", false);
   c.reported = typed(row, "told", false);
   if (const toml::array* const with = list(row, "with"))
