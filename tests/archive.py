@@ -170,7 +170,7 @@ def check_exit_status(kadr):
     kadr.archive('check', 'warned', '--db', 'b.sqlite', '--control', 's2c42', '--strict', expected=1)
     kadr.archive('check', 'text', '--db', 'c.sqlite', expected=2)
     kadr.archive('check', 'missing', '--db', 'c.sqlite', expected=2)
-    kadr.archive('check', 'good', '--db', 'c.sqlite', '--control', 'heidenhain', expected=2)
+    kadr.archive('check', 'good', '--db', 'c.sqlite', '--control', 'okuma', expected=2)
     kadr.file('d.sqlite', 'no database at all, but a text that is long enough to be read as one')
     kadr.archive('check', 'good', '--db', 'd.sqlite', expected=2)
     if os.getuid() != 0:

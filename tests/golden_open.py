@@ -11,7 +11,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 
 
-CONTROLS = ("nct", "linuxcnc", "fanuc", "haas", "haas-st", "mach3", "grbl", "sinumerik")
+CONTROLS = ("nct", "linuxcnc", "fanuc", "haas", "haas-st", "mach3", "grbl", "sinumerik",
+            "heidenhain")
 
 
 def open_cases(control):

@@ -66,6 +66,8 @@ CASES = [
      'looks like sinumerik (line 2: DIAMON'),
     ('; plate, side 1\nN10 G17 G54 G71 G90\nN20 T="MILL12"\nN30 M6\nN40 S2500 M3\nN50 G0 X=R1 Y0 Z5\nN60 CYCLE81(5,0,2,-12)\nN70 G2 X20 Y0 CR=10\nN80 M30\n',
      'looks like sinumerik (line 3: T="'),
+    ('0 BEGIN PGM PART MM\n1 TOOL CALL 5 Z S2000\n2 L X+10 Y+5 R0 FMAX\n3 END PGM PART MM\n', 'looks like heidenhain (line 1: BEGINPGM'),
+    ('7 L X+20 Y+5\n8 L X+30\n9 CC X+0 Y+0\n', 'looks like heidenhain (line 1: LX+20'),
     ('%\nO0001\nN10 G0 X1.\n#1=5\nWHILE [#1 GT 0] DO1\n#1=#1-1\nEND1\nM30\n%\n', 'perhaps fanuc: a weak guess'),
 ]
 
@@ -158,7 +160,6 @@ COMMANDS = [
 
 # A file of tests/guess_cases and the expected message.
 UNKNOWN = {
-    'heidenhain.h.txt': 'Heidenhain, line 1: BEGINPGM', 'heidenhain-lines.txt': 'Heidenhain, line 1: LX+20',
     'denford.txt': 'Denford (lathes for schools), line 1: [BILLET',
     'okuma.min.txt': 'Okuma, line 2: G15H1', 'okuma-call.txt': 'Okuma, line 2: MODIN', 'sheet.txt': 'few lines are blocks',
 }

@@ -146,6 +146,8 @@
   X(arc_two_ways) X(arc_opening_angle) X(arc_through_point) X(arc_turns) X(polar_with_axes) X(polar_radius_negative) \
   X(frame_component) X(edge_missing) X(cycle_reference_plane) X(cycle_first_depth) X(cycle_direction) X(cycle_lead) \
   X(pattern_empty) \
+  /* alarms of conversational blocks (spec/heidenhain 15) */                                \
+  X(pole_missing) X(tangent_missing) X(element_missing) X(error_by_program) \
   /* advice of the checklist, which is Kadr's own (docs/checklist.md) */                     \
   X(point_forgotten) X(length_of_other) X(radius_of_other) X(length_not_called) X(feed_too_small) X(feed_too_large) \
   X(feed_per_tooth) X(tap_feed) X(cut_without_spindle) X(direction_of_others) X(coolant_forgotten) X(hole_lost) X(hole_twice) \

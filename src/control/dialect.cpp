@@ -97,6 +97,7 @@ std::unique_ptr<Dialect> make_dialect(BlockContext& m, const Setup& setup, const
     case DialectId::nct: return make_nct_dialect(m, setup, limits, std::move(commons));
     case DialectId::mach3: return make_mach3_dialect(limits);
     case DialectId::sinumerik: return make_sinumerik_dialect(m, setup, limits);
+    case DialectId::heidenhain: return make_heidenhain_dialect(m, setup, limits);
     case DialectId::iso: break;
   }
   return make_iso_dialect();

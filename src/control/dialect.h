@@ -27,6 +27,7 @@ std::unique_ptr<Dialect> make_mach3_dialect(const RunLimits& limits);
 std::unique_ptr<Dialect> make_linuxcnc_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits);
 std::unique_ptr<Dialect> make_nct_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 std::unique_ptr<Dialect> make_sinumerik_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits);
+std::unique_ptr<Dialect> make_heidenhain_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits);
 
 /// Creates the dialect of a control that its file describes completely: every function has its default behaviour.
 std::unique_ptr<Dialect> make_iso_dialect();

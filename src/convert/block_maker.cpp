@@ -104,7 +104,7 @@ void BlockMaker::comment(std::string_view what) {
     if (c != '(' && c != ')' && c != '\n' && c != '\r' && def_.grammar.comment_forbidden.find(c) == std::string::npos) clean += c;
   if (clean.find_first_not_of(' ') == std::string::npos) return;
   // In a block with names, ( and ) enclose arguments, so a comment goes from ; to the end of the line (spec/sinumerik 2).
-  const bool by_semicolon = def_.grammar.named_blocks;
+  const bool by_semicolon = def_.grammar.named_blocks || def_.grammar.klartext_blocks;
   if (!comment_.empty()) comment_ += ' ';
   else if (by_semicolon) comment_ = "; ";
   comment_ += by_semicolon ? clean : '(' + clean + ')';

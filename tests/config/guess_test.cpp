@@ -323,7 +323,7 @@ TEST(guess, what_is_no_program_of_ours_is_unknown) {
     const char* reason;
   };
   const Case cases[] = {
-      {"0 BEGIN PGM X MM\n1 L X+10 R0 FMAX\n", "Heidenhain, line 1: BEGINPGM"},
+      {"%P1 G71 *\nN10 G30 G17 X+0 Y+0 Z-20*\n", "Heidenhain DIN/ISO, line 1: %P1G71"},
       {"N1 G15 H1\nN2 CALL OO88\n", "Okuma, line 1: G15H1"},
       {"# Read me\n\nThis folder holds programs.\nSee there.\n", "few lines are blocks, the first that is none is line 1: # Read me"},
       {"Карта наладки\nдеталь 12\nФреза 8 мм\n", "few lines are blocks, the first that is none is line 1: Карта наладки"},

@@ -305,9 +305,9 @@ struct AlarmText {
 
 /// The part of the engine for behaviour that no row of a control's file can express (`dialect = "…"`; control/dialect.h). iso: the control
 /// needs no such part.
-enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc, grbl, mach3, sinumerik };
-inline constexpr std::array<std::string_view, 8> dialect_names = {"iso",      "s2c42", "correctors", "nct",
-                                                                  "linuxcnc", "grbl",  "mach3",      "sinumerik"};
+enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc, grbl, mach3, sinumerik, heidenhain };
+inline constexpr std::array<std::string_view, 9> dialect_names = {"iso",  "s2c42", "correctors", "nct",       "linuxcnc",
+                                                                  "grbl", "mach3", "sinumerik",  "heidenhain"};
 
 /// An M function of the machine that has another code on the machine of another control.
 struct MachineCodeRow {

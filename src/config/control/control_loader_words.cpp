@@ -52,6 +52,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"programs_by_label", &Grammar::programs_by_label},
     {"rounds_in_address", &Grammar::rounds_in_address},
     {"named_blocks", &Grammar::named_blocks},
+    {"klartext_blocks", &Grammar::klartext_blocks},
 };
 
 }  // namespace

@@ -47,7 +47,7 @@ std::vector<NameRow> names_in_file(const std::string& id) {
 
 const std::vector<NameRow>& named_rows(const ControlDef& def) {
   static const std::vector<NameRow> none;
-  if (!def.grammar.named_blocks) return none;
+  if (!def.grammar.named_blocks && !def.grammar.klartext_blocks) return none;
   static const std::map<std::string, std::vector<NameRow>> rows = [] {
     std::map<std::string, std::vector<NameRow>> all;
     for (const std::string& id : built_in_controls()) {

@@ -298,8 +298,11 @@ Guess guess_among(std::string_view sample, std::string_view path, const std::vec
     }
   prefer_mills(candidates, dialects);
   if (const Candidate* const dialect = dialect_of(dialects)) return of_dialect(*dialect);
-  if (text.kind == TextKind::prose) return unknown(text);
   Guess guess = guess_of(candidates);
+  // Conversational blocks look like prose, so evidence that is twice as strong as a decisive mark counts more than the look.
+  const auto is_strong = [&](const auto& score) { return score.first == guess.control && score.second >= 2 * decisive_weight; };
+  if (text.kind == TextKind::prose && !(guess.decisive && std::any_of(guess.scores.begin(), guess.scores.end(), is_strong)))
+    return unknown(text);
   take_refusal(guess, dialects);
   for (const Candidate& c : dialects)
     if (c.rows->read_by.empty()) guess.dialect_scores.emplace_back(c.rows->control, c.score());

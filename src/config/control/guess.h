@@ -1,6 +1,6 @@
 #pragma once
 // Guesses the control that a program was written for, from the program's text and name. If Kadr supports no such control, guesses the
-// program language, such as that of Heidenhain or Sinumerik.
+// program language, such as that of Okuma or Fidia.
 
 #include <map>
 #include <string>

@@ -120,7 +120,7 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
   }
   try {
     setup_reader::read_table(whole, "", setup_reader::readers_of(result.setup));
-    setup_reader::give_kinematics(result.setup);
+    if (def == nullptr || def->machine_axes()) setup_reader::give_kinematics(result.setup);  // other controls read the key itself
     // A fault that only the merged set-up has, because each source by itself has been read without a fault
   } catch (const setup_reader::Wrong& error) {
     return tl::unexpected(error.sentence);

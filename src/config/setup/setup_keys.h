@@ -74,6 +74,7 @@ enum class SetupNeeds : std::uint8_t {
   turning,        // the control may be that of a lathe
   skip_question,  // the control may ask the operator before it skips a block
   machine_axes,   // the control's axes, channels, spindles and machine logic depend on the machine
+  kinematics,     // the control knows the rotary axes of the machine from the set-up
 };
 
 enum class SetupUnit : std::uint8_t { none, mm, axis, mm_min, mm_s2, seconds, degrees, rev_min, m_min, percent };

@@ -91,7 +91,8 @@ bool has(const ControlDef& def, SetupNeeds needs) {
              !numbers_zeros_itself(def);
     case SetupNeeds::zeros: return numbers_zeros_itself(def);
     case SetupNeeds::correctors: return def.has_correctors();
-    case SetupNeeds::variables: return def.grammar.variables > 0 || def.grammar.parameter_address != 0 || def.grammar.named_blocks;
+    case SetupNeeds::variables:
+      return def.grammar.variables > 0 || def.grammar.parameter_address != 0 || def.grammar.named_blocks || def.grammar.klartext_blocks;
     case SetupNeeds::parameters: return !def.parameters.empty();
     case SetupNeeds::corner_radius: return has_variable(def, VariableKind::offset_corner);
     case SetupNeeds::turning_lengths: return has_variable(def, VariableKind::offset_x) || def.has_parameter_file();
@@ -104,6 +105,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::probe: return has_function(def, {Function::probe, Function::probe_move, Function::measure, Function::measure_length});
     case SetupNeeds::skip_question: return def.behaviour.skip_asks;
     case SetupNeeds::machine_axes: return def.machine_axes();
+    case SetupNeeds::kinematics: return def.machine_axes() || def.grammar.klartext_blocks;
   }
   return true;
 }
@@ -190,7 +192,7 @@ bool SetupNamesOf::allows(SetupNames kind, std::string_view name) const {
       if (def_ == nullptr) return kind == SetupNames::axis_or_plane || is_like_work_offset(name);
       return among(all(kind));
     case SetupNames::variable: {
-      if (def_ != nullptr && def_->grammar.named_blocks) return names_own_variable(name);
+      if (def_ != nullptr && (def_->grammar.named_blocks || def_->grammar.klartext_blocks)) return names_own_variable(name);
       const bool macro = def_ == nullptr || def_->grammar.variables > 0;
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
       if (!(macro && names_macro_variable(name)) && !(formal && names_formal_parameter(name))) return false;
@@ -271,7 +273,7 @@ std::string SetupNamesOf::form(SetupNames kind, Lang lang) const {
   namespace id = texts::setup_names;
   switch (kind) {
     case SetupNames::variable: {
-      if (def_ != nullptr && def_->grammar.named_blocks) return plain_text(id::own_variable, lang);
+      if (def_ != nullptr && (def_->grammar.named_blocks || def_->grammar.klartext_blocks)) return plain_text(id::own_variable, lang);
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
       const bool macro = def_ == nullptr || def_->grammar.variables > 0;
       if (!macro) return plain_text(id::formal_parameter, lang);

@@ -62,11 +62,13 @@ enum class StatementKind : std::uint8_t {
   close_file,
   print_binary,
   print_decimal,
-  names,   // SETVN n[NAME,…] gives names to variables; it has no effect during execution (spec/fanuc 5.1)
-  o_word,  // a line of flow control or a call (spec/linuxcnc 6)
-  system,  // a line of Grbl: `$H`, `$110=500`, `$J=X10 F100`; the words after `$J=` become words of the block (spec/grbl 9, 11)
-  named,   // a block with names; `text` is the block without its number and label, which lang/named reads when it is executed
-           // (spec/sinumerik)
+  names,     // SETVN n[NAME,…] gives names to variables; it has no effect during execution (spec/fanuc 5.1)
+  o_word,    // a line of flow control or a call (spec/linuxcnc 6)
+  system,    // a line of Grbl: `$H`, `$110=500`, `$J=X10 F100`; the words after `$J=` become words of the block (spec/grbl 9, 11)
+  named,     // a block with names; `text` is the block without its number and label, which lang/named reads when it is executed
+             // (spec/sinumerik)
+  klartext,  // a conversational block; `text` is the block without its number, which lang/klartext reads when it is executed
+             // (spec/heidenhain)
 };
 
 /// The commands of an O line (spec/linuxcnc 6.1).

@@ -171,6 +171,17 @@ Status BlockReader::lex_line(Block& block) {
       lexed = lex_block(text_, rest_, true, grammar_, block);
     }
   }
+  while (lexed && lexed->continues) {
+    const auto joined = join_line(block);
+    if (!joined) return fail(joined.error());
+    if (!*joined) break;  // the file ends
+    lexed = lex_block(text_, rest_, is_text_, grammar_, block);
+    if (lexed && lexed->needs_utf8) {
+      KADR_TRY(decode_line());
+      block.clear();
+      lexed = lex_block(text_, rest_, true, grammar_, block);
+    }
+  }
   if (!lexed) {
     // The words after a faulty word are skipped, up to the next end of a block.
     const std::size_t mark = is_text_ ? text_.find(end_mark_in_text, lexed.error().where.end) : std::string_view::npos;
@@ -220,6 +231,34 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
   is_text_ = false;
   block.clear();
   return was_text ? decode_line() : Status();
+}
+
+/// Appends the next line to a block that goes on behind `~`. Returns false if the file has no next line.
+Result<bool> BlockReader::join_line(Block& block) {
+  Line next;
+  joined_ = line_.bytes;
+  const std::uint64_t offset = line_.offset;
+  if (!lines_.next(next)) {
+    line_.bytes = joined_;
+    if (!is_text_) text_ = joined_;
+    block.text = text_;
+    return false;
+  }
+  if (joined_.size() + next.bytes.size() >= limits::line_bytes) {
+    rest_ = 0;
+    text_ = {};
+    return fail(alarm(AlarmId::line_too_long, {0, 1}, double{limits::line_bytes}));
+  }
+  joined_ += '\n';
+  joined_ += next.bytes;
+  line_.bytes = joined_;
+  line_.number = next.number;
+  line_.offset = offset;
+  text_ = {line_.bytes.data(), line_.bytes.size()};
+  const bool was_text = std::exchange(is_text_, false);
+  block.clear();
+  if (was_text) KADR_TRY(decode_line());
+  return true;
 }
 
 /// Decodes the whole line to UTF-8.

@@ -55,6 +55,7 @@ class BlockReader {
   Status decode_line();
   bool is_sign_of_end() const;
   Status join_comment(Block& block, std::size_t open);
+  Result<bool> join_line(Block& block);
 
   LineReader lines_;
   const Grammar& grammar_;

@@ -119,7 +119,8 @@ struct Grammar {
   std::shared_ptr<VariableNames> named_variables;  // numbers of the names #<name>; nullptr if the control has no named variables
   bool filtered_lines = false;  // each line is read separately, without its blanks, `/` and control characters (spec/grbl 1.2)
   // ---- statements and words with names, as on a Sinumerik (spec/sinumerik 2, 3)
-  bool named_blocks = false;  // blocks have names, assignments and calls: R1=5, X=IC(R1), CYCLE81(…); lang/named reads them
+  bool named_blocks = false;     // blocks have names, assignments and calls: R1=5, X=IC(R1), CYCLE81(…); lang/named reads them
+  bool klartext_blocks = false;  // blocks are conversational: L X+10 R0 FMAX, CYCL DEF 200 …; lang/klartext reads them (spec/heidenhain 1)
   // ---- custom macros and names of several characters (nct)
   bool custom_macros = false;         // expressions are those of custom macros (nct 23), not those of RS274/NGC
   bool operator_i = false;            // in XI-40 the operator I means that the value of the word is an increment (nct 5.1)

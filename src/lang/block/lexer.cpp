@@ -13,6 +13,7 @@
 #include "lang/block/statement_reader.h"
 #include "lang/block/word_reader.h"
 #include "lang/expression/expression.h"
+#include "lang/klartext/klartext_line.h"
 #include "lang/named/named_reader.h"
 #include "lang/text/encoding.h"
 #include "lang/text/wide.h"
@@ -370,8 +371,6 @@ class Lexer {
       return fail(alarm(AlarmId::block_number_missing, span(begin_, begin_ + 1)));
     return {};
   }
-
-  /// Returns true if the block has bytes above 127 before `end`.
   bool has_high(std::size_t end) const { return has_high_bytes(cursor_.text.substr(begin_, end - begin_)); }
 
   char at(std::size_t ahead) const { return cursor_.at + ahead < cursor_.text.size() ? cursor_.text[cursor_.at + ahead] : '\0'; }
@@ -393,6 +392,7 @@ class Lexer {
 }  // namespace
 
 Result<Lexed> lex_block(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block) {
+  if (grammar.klartext_blocks) return lex_klartext_line(text, from, is_utf8, block);
   if (grammar.named_blocks) return lex_named_line(text, from, is_utf8, block);
   return Lexer(text, from, is_utf8, grammar, block).run();
 }

@@ -14,6 +14,7 @@ struct Lexed {
   bool marked = false;         // the block ended with a literal ПС or LF, not with the end of the line
   bool open_comment = false;   // A comment continues in the next line. The caller must append that line and call again.
   std::size_t comment_at = 0;  // offset at which the open comment starts
+  bool continues = false;      // The block continues in the next line. The caller must append that line and call again.
   // The text has bytes above 127 outside comments and may not be UTF-8. The caller must decode the text and call again.
   bool needs_utf8 = false;
 };

@@ -48,6 +48,7 @@ PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
     if (!format.known || (format.code && format.implied) || letter == grammar.label_address || letter == grammar.parameter_address)
       kind = Kind::other;
     if (grammar.named_blocks && letters_of_plain_named_blocks.find(letter) == std::string_view::npos) kind = Kind::other;
+    if (grammar.klartext_blocks) kind = Kind::other;
     for (const AddressName& name : grammar.names)
       if (name.text.front() == letter && looks_like_words(name)) kind = Kind::other;
     kinds_[static_cast<unsigned char>(letter)] = kind;

@@ -1,0 +1,255 @@
+// Definition and call of cycles (spec/heidenhain 12.1, 12.9). Used by control/heidenhain.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+
+#include "action/by_kind.h"
+#include "control/heidenhain/block_run.h"
+#include "control/heidenhain/cycle_steps.h"
+
+namespace kadr::heidenhain {
+namespace {
+
+constexpr int callable[] = {1, 2, 17, 18, 200, 201, 202, 203, 205, 206, 207, 208, 209, 240, 241};
+
+bool is_callable(int cycle) { return std::find(std::begin(callable), std::end(callable), cycle) != std::end(callable); }
+
+/// Returns the last number of a line of an old cycle, such as `ABST -2` or `F80`: its text is of any language (spec/heidenhain 12.1).
+std::optional<double> last_number(const std::string& line) {
+  std::size_t end = line.find_last_of("0123456789");
+  if (end == std::string::npos) return std::nullopt;
+  std::size_t begin = end;
+  while (begin > 0 && (std::string_view("0123456789.,").find(line[begin - 1]) != std::string_view::npos)) --begin;
+  while (begin < end && (line[begin] == '.' || line[begin] == ',') && begin > 0 && line[begin - 1] >= 'A') ++begin;
+  std::string digits = line.substr(begin, end - begin + 1);
+  std::replace(digits.begin(), digits.end(), ',', '.');
+  const double value = std::strtod(digits.c_str(), nullptr);
+  std::size_t sign = begin;
+  while (sign > 0 && line[sign - 1] == ' ') --sign;
+  return sign > 0 && line[sign - 1] == '-' ? -value : value;
+}
+
+/// Returns the Q parameter that a line of an old cycle names instead of a number: `DIST Q5`; nullopt if there is none.
+std::optional<std::uint16_t> named_parameter(const std::string& line) {
+  const std::size_t at = line.find_last_of("Qq");
+  if (at == std::string::npos || at + 1 >= line.size() || line[at + 1] < '0' || line[at + 1] > '9') return std::nullopt;
+  const unsigned long index = std::strtoul(line.c_str() + at + 1, nullptr, 10);
+  return index < q_count ? std::optional(static_cast<std::uint16_t>(index)) : std::nullopt;
+}
+
+}  // namespace
+
+Status CycleSteps::execute(Emitter& m, const CycleStep& step) {
+  Axes to = m.position.programmed;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if ((step.named >> a & 1U) != 0) to[a] = step.to[a];
+  switch (step.kind) {
+    case CycleStep::Kind::rapid: return m.straight(MotionKind::rapid, to, step.named);
+    case CycleStep::Kind::feed:
+    case CycleStep::Kind::arc: {
+      const double feed = m.modal.feed;
+      const bool known = m.modal.feed_known;
+      const FeedMode mode = m.modal.feed_mode;
+      if (step.value > 0) m.modal.feed = step.value, m.modal.feed_mode = FeedMode::per_minute, m.modal.feed_known = true;
+      Status moved = m.feed_known(m.block->where);
+      if (moved && step.kind == CycleStep::Kind::arc)
+        heidenhain_of(m).emit_arc(m, step.clockwise ? Turn::cw : Turn::ccw, {step.centre, step.turns}, to, step.named, m.modal.axes);
+      else if (moved) moved = m.straight(MotionKind::feed, to, step.named);
+      if (moved && step.taps)
+        if (Motion* const motion = motion_of(m.batch->back()); motion != nullptr) {
+          motion->own_override = motion->no_hold = true;
+          motion->in_hole = HoleWork::taps;
+        }
+      m.modal.feed = feed;
+      m.modal.feed_known = known;
+      m.modal.feed_mode = mode;
+      return moved;
+    }
+    case CycleStep::Kind::dwell: m.emit(Dwell{step.value}); return {};
+    case CycleStep::Kind::spindle:
+      if (step.dir == SpindleDir::position) m.emit(Spindle{step.dir, 0, 1, std::nullopt, step.angle});
+      else m.emit(Spindle{step.dir, step.dir == SpindleDir::stop ? 0 : m.modal.rpm});
+      return {};
+  }
+  return {};
+}
+
+// NOLINTNEXTLINE(readability-function-size): one row for each cycle that acts when it is defined
+Status Heidenhain::define_cycle(Interpreter& m, const KlartextBlock& block) {
+  const int cycle = block.number;
+  const Span where = m.block->where;
+  const auto refuse = [&]() -> Status {
+    return fail(alarm(AlarmId::not_available, where, std::string_view("CYCL DEF " + std::to_string(cycle))));
+  };
+  if (block.part < 0)  // the Q parameters of the block
+    for (const KlartextWord& word : block.words) {
+      auto read = value(m, block, word);
+      if (!read) return fail(read.error());
+      KlartextStep to;
+      to.index = static_cast<std::uint16_t>(word.name);
+      if (word.text == "MAX") *read = -1;
+      else if (word.text == "AUTO") *read = memory.tool_feed / m.unit_scale();
+      else if (word.text == "PREDEF") continue;
+      KADR_TRY(set_parameter(to, *read));
+    }
+  switch (cycle) {
+    case 7:
+    case 8:
+    case 10:
+    case 11:
+    case 26:
+    case 247: return frame_cycle(m, block);
+    case 9:
+      if (block.part > 0)
+        if (const auto seconds = last_number(block.text)) m.emit(Dwell{*seconds});
+      return {};
+    case 12:
+      if (block.part > 0) {
+        std::string path = block.text;
+        const std::size_t begin = path.find("PGM");
+        if (begin != std::string::npos) path.erase(0, begin + 3);
+        path.erase(0, std::min(path.find_first_not_of(" \t"), path.size()));
+        memory.cycle_program = path;
+      }
+      memory.cycle = 12;
+      memory.calls_always = false;
+      return {};
+    case 13:
+    case 14:
+    case 32:
+    case 239:
+    case 392: return {};  // settings of the drives: the path stays as it is
+    case 19:
+      if (block.part < 1) return {};
+      {
+        Axes angles{};
+        bool any = false;
+        for (const KlartextWord& word : block.words)
+          for (std::size_t i = 0; i < 3; ++i)
+            if (word.name == word_name(std::string_view("ABC").substr(i, 1)) && !word.bare) {
+              const auto read = value(m, block, word);
+              if (!read) return fail(read.error());
+              angles[i] = *read;
+              any = any || *read != 0;
+            }
+        if (!any) {
+          untilt(m);
+          return set_frame(m);
+        }
+        const Mat3 to = Mat3::about({0, 0, 1}, angles[2]) * Mat3::about({0, 1, 0}, angles[1]) * Mat3::about({1, 0, 0}, angles[0]);
+        KADR_TRY(set_axis_angles(m, to, block));
+        return tilt(m, to);
+      }
+    case 220:
+    case 221: {
+      if (!is_callable(memory.cycle)) return fail(alarm(AlarmId::cycle_undefined, where));
+      CycleMaker maker(m, *this, where);
+      KADR_TRY(cycle == 220 ? maker.polar_pattern() : maker.cartesian_pattern());
+      m.running = std::make_unique<CycleSteps>(std::move(maker.steps));
+      return {};
+    }
+    default: break;
+  }
+  if (!is_callable(cycle)) return refuse();
+  memory.calls_always = false;
+  memory.cycle = cycle;
+  if (block.part < 0) return {};
+  if (block.part == 0) memory.old = {};
+  if (block.part > 0 && block.part < static_cast<std::int16_t>(memory.old.size())) {
+    double& to = memory.old[static_cast<std::size_t>(block.part)];
+    if (const auto index = named_parameter(block.text)) {
+      const auto read = parameter(m, ParameterFamily::q, *index, where);
+      if (!read) return fail(read.error());
+      to = block.text.find("-Q") != std::string::npos ? -*read : *read;
+    } else if (const auto number = last_number(block.text)) {
+      to = *number;
+    }
+  }
+  return {};
+}
+
+Status Heidenhain::call_cycle(Interpreter& m, Span where) {
+  if (memory.cycle < 0) return fail(alarm(AlarmId::cycle_undefined, where));
+  if (memory.cycle == 12) return call_program(m, memory.cycle_program, where);
+  CycleMaker maker(m, *this, where);
+  KADR_TRY(maker.at_point());
+  m.running = std::make_unique<CycleSteps>(std::move(maker.steps));
+  return {};
+}
+
+/// CYCL CALL, CYCL CALL POS X Y Z, CYCL CALL PAT (spec/heidenhain 12.1).
+Status BlockRun::call_at_position() {
+  if (read_.part == 2) {
+    if (own_.memory.cycle < 0) return fail(alarm(AlarmId::cycle_undefined, m_.block->where));
+    CycleMaker maker(m_, own_, m_.block->where);
+    KADR_TRY(maker.points(own_.memory.pattern));
+    m_.running = std::make_unique<CycleSteps>(std::move(maker.steps));
+    return {};
+  }
+  if (read_.part == 1) {
+    Axes to;
+    AxisMask named = 0;
+    KADR_TRY(target(to, named));
+    const std::size_t normal = plane_.normal;
+    const AxisMask height = AxisMask{1} << normal;
+    const bool above = m_.position.programmed[normal] >= own_.memory.q[203] * m_.unit_scale();
+    for (const bool in_plane : {above, !above}) {
+      const AxisMask part = in_plane ? named & ~height : named & height;
+      Axes there = m_.position.programmed;
+      for (std::size_t a = 0; a < m_.axis_count; ++a)
+        if ((part >> a & 1U) != 0) there[a] = to[a];
+      KADR_TRY(straight_to(there, part));
+    }
+  }
+  calls_ = true;
+  return {};
+}
+
+/// PATTERN DEF: the points of its rows (spec/heidenhain 12.7).
+Status Heidenhain::call_pattern(Interpreter& m, const KlartextBlock& block) {
+  std::vector<Axes> points;
+  for (const PatternRow& row : block.rows) {
+    const auto number = [&](std::string_view name, double otherwise = 0) {
+      for (const KlartextWord& word : row.words)
+        if (word.name == word_name(name)) {
+          const auto read = value(m, block, word);
+          return read ? *read : undefined;
+        }
+      return otherwise;
+    };
+    const double unit = m.unit_scale();
+    const Vec2 start{number("X") * unit, number("Y") * unit};
+    const auto add = [&](Vec2 at) {
+      Axes point{};
+      point[0] = at.x;
+      point[1] = at.y;
+      point[2] = number("Z") * unit;
+      points.push_back(point);
+    };
+    const double count = std::round(number("NUM", 1)), across = std::round(number("NUMX", 1)), up = std::round(number("NUMY", 1));
+    if (!(count >= 1 && across >= 1 && up >= 1) || count * across * up > 10'000)
+      return fail(alarm(AlarmId::value_out_of_range, row.where, "NUM", count));
+    if (row.name == "POS") {
+      add(start);
+    } else if (row.name == "ROW") {
+      for (int i = 0; i < static_cast<int>(count); ++i) add(start + rotated(Vec2{i * number("D") * unit, 0}, number("ROT")));
+    } else if (row.name == "CIRC" || row.name == "PITCHCIRC") {
+      const double step = row.name == "CIRC" ? 360 / count : number("STEP");
+      for (int i = 0; i < static_cast<int>(count); ++i) add(start + rotated(Vec2{number("D") * unit / 2, 0}, number("START") + i * step));
+    } else {
+      if (number("ROTX") != 0 || number("ROTY") != 0) return fail(alarm(AlarmId::not_available, row.where, "ROTX, ROTY"));
+      for (int y = 0; y < static_cast<int>(up); ++y)
+        for (int x = 0; x < static_cast<int>(across); ++x) {
+          const bool edge = y == 0 || x == 0 || y + 1 == static_cast<int>(up) || x + 1 == static_cast<int>(across);
+          if (row.name == "FRAME" && !edge) continue;
+          add(start + rotated(Vec2{x * number("DX") * unit, y * number("DY") * unit}, number("ROT")));
+        }
+    }
+  }
+  memory.pattern = std::move(points);
+  return {};
+}
+
+}  // namespace kadr::heidenhain

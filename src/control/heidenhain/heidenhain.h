@@ -1,0 +1,145 @@
+#pragma once
+// Heidenhain: the dialect of HEIDENHAIN controls that read conversational blocks (spec/heidenhain): iTNC 530, TNC 640, 620, 320. A straight
+// line with plain numbers comes as words (lang/klartext); every other block is compiled once and executed here. Only
+// src/control/heidenhain includes this file.
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "control/block/arc.h"
+#include "control/dialect.h"
+#include "control/heidenhain/memory.h"
+#include "control/heidenhain/program_index.h"
+#include "control/interpreter.h"
+#include "kinematics/five_axis.h"
+#include "lang/klartext/klartext_block.h"
+
+namespace kadr::heidenhain {
+
+/// Greatest difference of the radii at the start and the end of a circle, mm (spec/heidenhain 4.1).
+inline constexpr double circle_deviation = 0.016;
+
+inline Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
+inline AxisMask mask_of(PlaneAxes p) { return AxisMask{1} << p.first | AxisMask{1} << p.second; }
+
+/// A value that a block has replaced, for the case that the block fails.
+struct WrittenValue {
+  ParameterFamily family = ParameterFamily::q;
+  std::uint16_t index = 0;
+  double value = 0;
+};
+
+class Heidenhain final : public Dialect {
+ public:
+  Heidenhain(const Setup& setup, const RunLimits& limits);
+
+  // ---- program
+  std::shared_ptr<const DialectState> snapshot() const override;
+  Status restore(BlockContext& m, const DialectState& from) override;
+  void take_setup(Emitter& m, const Setup& setup) override;
+  bool end_program(Interpreter& m) override;
+  Result<bool> end_of_file(BlockContext& m) override;
+
+  // ---- blocks
+  bool has_unfinished() const override { return !memory.calls.empty(); }
+  Result<bool> finish(Interpreter& m) override;
+  Result<bool> statement(Interpreter&) override { return false; }
+  Result<bool> takes_block(Interpreter& m) override;
+  BlockChanges changes_of(const BlockContext& m, const Plan& plan) const override;
+  void after_code(Interpreter& m, const CodeRow& row, std::int32_t code) override;
+  void undo_block(BlockContext& m) override;
+  bool skips_unread() const override { return true; }
+
+  // ---- motion, frames, variables
+  void note_motion(Emitter& m, Motion& motion) override;
+  bool lines_follow(const BlockContext& m) const override { return !needs_text(m); }
+  void note_line(BlockContext& m) override;
+  AxisMask rolling_axes(const BlockContext& m) const override;
+  void refresh_frames(Emitter& m) override;
+  void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) override;
+
+  // ---- used by the parts in this folder
+  Memory memory;
+  FiveAxis five_axis;                              // the rotary axes of the machine, if the set-up or the machine names them
+  Axes most{};                                     // upper ends of travel of the set-up, machine coordinates
+  std::uint64_t missing_axes = 0;                  // letters of axes that the machine does not have
+  double corner_rounding = 0, corner_chamfer = 0;  // RND, CHF behind the block, mm
+  CornerJoin corner = CornerJoin::arc;             // M97 in the block
+
+  // evaluate.cpp
+  Result<double> evaluate(BlockContext& m, const KlartextBlock& block, KlartextExpression expression);
+  Result<double> value(BlockContext& m, const KlartextBlock& block, const KlartextWord& word) {
+    return word.value ? evaluate(m, block, word.value) : Result<double>(word.number);
+  }
+  Status set_parameter(const KlartextStep& to, double value);
+  Result<std::string> text_value(BlockContext& m, const KlartextBlock& block);
+  // system_values.cpp
+  Result<double> parameter(const BlockContext& m, ParameterFamily family, std::uint16_t index, Span where) const;
+  Result<double> system_value(BlockContext& m, double id, double number, double index, Span where) const;
+  double tool_radius(const BlockContext& m) const;
+  double tool_length(const BlockContext& m) const;
+  // flow.cpp
+  const ProgramIndex& index(const BlockContext& m, std::uint16_t reader);
+  const ProgramIndex& index(const BlockContext& m) { return index(m, m.program().reader()); }
+  Status call_label(Interpreter& m, const KlartextBlock& block);
+  Status jump(Interpreter& m, const KlartextBlock& block);
+  Status call_program(Interpreter& m, const std::string& path, Span where);
+  Status leave(Interpreter& m, Span where);
+  Status end_of_program(Interpreter& m, Span where);
+  // tools.cpp
+  Status tool_call(Interpreter& m, const KlartextBlock& block);
+  Status tool_definition(Interpreter& m, const KlartextBlock& block);
+  bool knows_tool(const BlockContext& m, std::uint32_t tool) const;
+  // frames.cpp
+  Status set_frame(Emitter& m);
+  Status shift_datum(Emitter& m, const KlartextBlock& block);
+  Status frame_cycle(Interpreter& m, const KlartextBlock& block);
+  void reset_frames();
+  // tilting.cpp
+  Status plane(Interpreter& m, const KlartextBlock& block);
+  void take_kinematics(const BlockContext& m, const Setup& setup);
+  Status set_axis_angles(BlockContext& m, const Mat3& to, const KlartextBlock& block);
+  Status turn_axes(Interpreter& m, const KlartextBlock& block);
+  Status tilt(Emitter& m, const Mat3& to);
+  void untilt(Emitter& m);
+  void place_in_space(Emitter& m);
+  // cycles.cpp
+  Status define_cycle(Interpreter& m, const KlartextBlock& block);
+  Status call_cycle(Interpreter& m, Span where);
+  Status call_pattern(Interpreter& m, const KlartextBlock& block);
+  // motion.cpp
+  void emit_arc(Emitter& m, Turn turn, const PlaneArc& arc, const Axes& end, AxisMask named, PlaneAxes plane);
+
+  /// Reads a block of the file that is being executed; nullptr if it cannot be read.
+  std::shared_ptr<const KlartextBlock> block_at(const BlockContext& m, Position at);
+  void note_written(ParameterFamily family, std::uint16_t index, double before) { written_.push_back({family, index, before}); }
+
+ private:
+  friend class BlockRun;
+  struct Kept;
+  bool needs_text(const BlockContext& m) const;
+  Result<bool> run_text(Interpreter& m);
+  std::vector<double>& family(ParameterFamily which) {
+    return which == ParameterFamily::ql ? memory.ql : which == ParameterFamily::qr ? memory.qr : memory.q;
+  }
+  const std::vector<double>& family(ParameterFamily which) const { return const_cast<Heidenhain&>(*this).family(which); }  // NOLINT
+
+  std::map<std::string, std::uint32_t> names_;                                    // tools that are called by their names
+  std::set<std::uint32_t> table_;                                                 // tools of the set-up, and of TOOL DEF
+  std::unordered_map<std::uint64_t, std::shared_ptr<const KlartextBlock>> read_;  // blocks as read, by file and offset
+  std::vector<std::unique_ptr<ProgramIndex>> indices_;                            // by file
+  std::unique_ptr<Block> scratch_ = std::make_unique<Block>();
+  std::vector<double> stack_;
+  std::vector<WrittenValue> written_;
+  Modes before_;
+  bool kept_ = false;
+  Axes previous_{};  // work coordinates before the motion that comes next
+};
+
+Heidenhain& heidenhain_of(const BlockContext& m);
+
+}  // namespace kadr::heidenhain
