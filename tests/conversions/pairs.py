@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 CONTROLS = ('s2c42', 'mach3', 'correctors', 'gost', 'nct', 'linuxcnc', 'fanuc', 'haas', 'grbl')
+WITH_NAMES = (*CONTROLS, 'sinumerik')  # with the controls whose blocks have names
 EXAMPLES = Path(__file__).resolve().parent.parent.parent / 'examples'
 SECONDS = 120
 # The proof notes that `kadr convert` prints, and the option that makes `kadr diff` ignore the same.
@@ -45,11 +46,11 @@ def run(*words, **more):
     return subprocess.run([str(w) for w in words], **{'capture_output': True, 'text': True, 'errors': 'replace', 'timeout': SECONDS, 'check': False, **more})
 
 
-def examples():
+def examples(controls=CONTROLS):
     """(control, program)"""
-    for control in CONTROLS:
+    for control in controls:
         for file in sorted((EXAMPLES / control).glob('*')):
-            if file.suffix in ('.nc', '.tap', '.nct', '.ngc') and not file.name.startswith('O'):
+            if file.suffix in ('.nc', '.tap', '.nct', '.ngc', '.mpf') and not file.name.startswith('O'):
                 yield control, file
 
 
