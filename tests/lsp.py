@@ -748,7 +748,7 @@ def random_message(draw, number):
     elif kind == 2:
         method = draw.choice(['textDocument/didSave', 'textDocument/didClose', 'workspace/didChangeConfiguration', 'workspace/didChangeWatchedFiles',
                               'workspace/didChangeWorkspaceFolders', 'nothing'])
-        params['event'] = draw.choice([{'added': [{'uri': 'file:///work'}], 'removed': [{'uri': 'untitled:c'}]}, {'added': [5], 'removed': 5}, 5])
+        params['event'] = draw.choice([{'added': [{'uri': 'file:///nowhere'}], 'removed': [{'uri': 'untitled:c'}]}, {'added': [5], 'removed': 5}, 5])
         params['settings'] = {'kadr': {'control': draw.choice(['fanuc', '', 'nonsense'])}}
     elif kind == 3:
         if draw.randrange(2):
