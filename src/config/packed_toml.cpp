@@ -4,6 +4,7 @@
 
 #include "config/packed_toml.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <stdexcept>
@@ -72,6 +73,16 @@ class Unpacker {
     for (std::uint64_t left = number(); left != 0; --left) {
       const std::string_view key = text();
       node([&](auto&& value) { table.emplace_hint(table.cend(), key, std::forward<decltype(value)>(value)); });
+    }
+    return table;
+  }
+
+  toml::table pairs_of(std::initializer_list<std::string_view> keys) {
+    toml::table table;
+    for (std::uint64_t left = number(); left != 0; --left) {
+      const std::string_view key = text();
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) pass();
+      else node([&](auto&& value) { table.emplace_hint(table.cend(), key, std::forward<decltype(value)>(value)); });
     }
     return table;
   }
@@ -180,6 +191,8 @@ std::string packed(const toml::table& table) {
 }
 
 toml::table unpacked(std::string_view bytes) { return Unpacker(bytes).pairs(); }
+
+toml::table unpacked(std::string_view bytes, std::initializer_list<std::string_view> keys) { return Unpacker(bytes).pairs_of(keys); }
 
 std::vector<std::string> texts_of_list(std::string_view bytes, std::string_view key) { return Unpacker(bytes).list_of(key); }
 

@@ -37,7 +37,7 @@ void lay_operations(toml::table& under, const toml::table& over) {
     return over["grammar"][key].value<bool>().value_or(under["grammar"][key].value_or(false));
   };
   if (under.contains("expressions") || !is_on("expressions")) return;
-  auto base = toml_tools::embedded_table(is_on("macro") ? "controls/nct.toml" : "controls/mach3.toml");
+  auto base = toml_tools::embedded_sections(is_on("macro") ? "controls/nct.toml" : "controls/mach3.toml", {"expressions"});
   if (base) under.insert("expressions", std::move(*(*base)["expressions"].as_table()));
 }
 

@@ -30,7 +30,7 @@ std::vector<NameParameter> parameters_of(const std::string& cycle, const std::st
 
 std::vector<NameRow> names_in_file(const std::string& id) {
   std::vector<NameRow> all;
-  const auto table = toml_tools::embedded_table("controls/" + id + ".toml");
+  const auto table = toml_tools::embedded_sections("controls/" + id + ".toml", {"names", "cycle_parameters"});
   const toml::table* const names = table ? (*table)["names"].as_table() : nullptr;
   if (names == nullptr) return all;
   const toml::table* const meanings = (*table)["cycle_parameters"].as_table();

@@ -58,7 +58,7 @@ std::optional<std::string> take_traits(const toml::table& table, const std::stri
 /// Returns the rows of the section [guess] in the file of a built-in control; nullopt if it has no such section.
 std::optional<GuessRows> rows_in_file(const std::string& id) {
   const std::string file = "controls/" + id + ".toml";
-  const auto table = toml_tools::embedded_table(file);
+  const auto table = toml_tools::embedded_sections(file, {"guess"});
   const toml::table* const guess = table ? (*table)["guess"].as_table() : nullptr;
   if (guess == nullptr) return std::nullopt;
   auto rows = guess_rows_of(*guess, file);

@@ -25,6 +25,11 @@ std::optional<toml::table> embedded_table(std::string_view name) {
   return file == nullptr ? std::nullopt : std::optional(unpacked(file->table));
 }
 
+std::optional<toml::table> embedded_sections(std::string_view name, std::initializer_list<std::string_view> keys) {
+  const EmbeddedFile* const file = embedded(name);
+  return file == nullptr ? std::nullopt : std::optional(unpacked(file->table, keys));
+}
+
 namespace {
 
 /// Translates the error of toml++, such as "Error while parsing array: …". In languages other than English, the message states only what

@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ std::optional<std::string_view> embedded_text(std::string_view name);
 
 /// Returns the table of a built-in TOML file. The nodes of this table have no positions in the text.
 std::optional<toml::table> embedded_table(std::string_view name);
+
+/// Returns only these sections of a built-in TOML file: the keys of its outermost table that are in `keys`.
+std::optional<toml::table> embedded_sections(std::string_view name, std::initializer_list<std::string_view> keys);
 
 /// Parses TOML text; `file` is the name used in messages.
 ///   returns  on failure, an error sentence with file, line and column: not TOML, or beyond the limits of config/toml_scan.h
