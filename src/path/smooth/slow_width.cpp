@@ -19,6 +19,11 @@ constexpr double widest = SoftCorner::widest;
 constexpr int rounds = static_cast<int>(levelled * widest / part_length + 0.5);
 constexpr std::size_t reach = 2 * rounds + 4;  // extent of both filters together, as a number of intervals
 
+// The knots of the spline are in the middle of the intervals, so 0.5 is added to convert a number of intervals to a number of knots.
+double knots_to(double s) { return std::max(0.0, s / part_length) + 0.5; }
+
+std::size_t knot_of(double s) { return static_cast<std::size_t>(knots_to(s)); }
+
 }  // namespace
 
 double SlowWidth::felt() { return widest / slope + static_cast<double>(reach) * part_length; }
@@ -85,14 +90,19 @@ void SlowWidth::forget(double before) {
 }
 
 WidthAt SlowWidth::at(double s) const {
-  // The knots of the spline are in the middle of the intervals, so 0.5 is added to convert a number of intervals to a number of knots.
-  const double place = std::max(0.0, s / part_length) + 0.5;
+  const double place = knots_to(s);
   const auto knot = static_cast<std::size_t>(place);
   const double f = place - static_cast<double>(knot), g = 1 - f;
   const double* const w = width_.data() + std::min(knot - first_, width_.size() - 4);
   return {(g * g * g * w[0] + (4 - f * f * (6 - 3 * f)) * w[1] + (4 - g * g * (6 - 3 * g)) * w[2] + f * f * f * w[3]) / 6,
           (-g * g * w[0] + f * (3 * f - 4) * w[1] + g * (4 - 3 * g) * w[2] + f * f * w[3]) / (2 * part_length),
           (g * w[0] + (3 * f - 2) * w[1] + (1 - 3 * f) * w[2] + f * w[3]) / (part_length * part_length)};
+}
+
+double SlowWidth::greatest(double from, double to) const {
+  const std::size_t last = width_.size() - 4, a = std::min(knot_of(from) - first_, last), b = std::min(knot_of(to) - first_, last);
+  const auto begin = width_.begin() + static_cast<std::ptrdiff_t>(a), end = width_.begin() + static_cast<std::ptrdiff_t>(b) + 4;
+  return *std::max_element(begin, end);  // a B-spline does not leave the hull of its knots
 }
 
 }  // namespace kadr

@@ -31,6 +31,10 @@ class SlowWidth {
 
   WidthAt at(double s) const;
 
+  /// Returns a width, mm, that the path does not exceed from the path length `from` to `to`. It is greater than the greatest width by no
+  /// more than the width changes along two intervals.
+  double greatest(double from, double to) const;
+
   /// Returns the greatest distance, mm, at which a limit still affects the width.
   static double felt();
 

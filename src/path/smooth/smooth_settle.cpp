@@ -197,12 +197,16 @@ void SmoothPath::look_at_edges(std::size_t piece, const Look& look) const {
   // path.
   constexpr int rounds = 4;
   const double from = at_[piece], length = length_[piece];
+  const double greatest = slow_.greatest(squeezed_[piece], squeezed_[piece + 1]) + 2 * just;
   corners_near(from, piece, widest + length, [&](std::size_t i) {
+    if (is_chained_[i] != 0 && (at_[i] + greatest < from || at_[i] - greatest > from + length))
+      return;  // its rounding ends before the piece
     for (const double side : {-1.0, 1.0}) {
       double felt = is_chained_[i] != 0 ? slow_.at(squeezed_[i]).w : width_[i];
       for (int round = 0; is_chained_[i] != 0 && round < rounds; ++round) {
-        const double s = std::clamp(at_[i] + side * felt, from, from + length);
+        const double s = std::clamp(at_[i] + side * felt, from, from + length), before = felt;
         felt = width_at(s, piece).w;
+        if (felt == before) break;
       }
       const double along = at_[i] + side * (felt + just) - from;
       if (along > 0 && along < length) look(along);
