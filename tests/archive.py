@@ -41,7 +41,12 @@ class Archive(harness.Kadr):
     def environment(self):
         path = Path(self.program).parent / 'python'
         clean = {name: value for name, value in os.environ.items() if not name.startswith(('PYTHON', 'LC_', 'LANG'))}
-        return {**clean, 'PYTHONPATH': str(path), 'PYTHONDONTWRITEBYTECODE': '1', 'KADR': self.program, 'LANG': 'C'}
+        self.temporary.mkdir(exist_ok=True)
+        return {**clean, 'PYTHONPATH': str(path), 'PYTHONDONTWRITEBYTECODE': '1', 'KADR': self.program, 'LANG': 'C', 'TMPDIR': str(self.temporary)}
+
+    @property
+    def temporary(self):
+        return self.folder / 'temporary'
 
     def archive(self, *words, expected=0):
         """Runs kadr-archive to its end, with one process unless the words say otherwise: a second one costs a start and proves nothing more."""
@@ -266,7 +271,7 @@ def read_bytes(path):
 def check_a_program_that_kills_twice_is_quarantined(kadr):
     kadr.file('a/endless.nc', ENDLESS)
     kadr.file('a/z.nc', '%\nO2\nG21 G90\nG0 X5\nM30\n%\n')
-    process = kadr.begin('check', 'a', '--db', 'a.sqlite', '--control', 'fanuc', '--workers', '1', '--most-seconds', '500')
+    process = kadr.begin('run', 'a', '--db', 'a.sqlite', '--control', 'fanuc', '--workers', '1', '--most-seconds', '500')
     killed = set()
     while len(killed) < 2 and process.poll() is None:
         for child in children_of(process.pid):
@@ -290,6 +295,7 @@ def check_a_program_that_kills_twice_is_quarantined(kadr):
     expect(states == {'endless.nc': 'killed', 'z.nc': 'ok'}, states)
     reason, = kadr.db("SELECT reason FROM present WHERE name = 'endless.nc'")[0]
     expect('quarantined' in reason, reason)
+    expect(not any(kadr.temporary.iterdir()), f'killed processes leave {list(kadr.temporary.iterdir())}')
 
 
 def check_kills_change_nothing(kadr):

@@ -40,6 +40,8 @@ def end_with_parent(parent: int) -> None:
     def watch() -> None:
         while os.getppid() == parent:
             time.sleep(0.5)
+        from .work import remove_folders
+        remove_folders(os.getpid())
         os.killpg(0, signal.SIGKILL)   # with the program kadr, if one runs
     threading.Thread(target=watch, daemon=True).start()
 

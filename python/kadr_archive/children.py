@@ -12,7 +12,7 @@ import time
 from typing import Any, Callable, Iterable, Iterator, Optional
 
 from . import child
-from .work import Item, Job, result
+from .work import Item, Job, remove_folders, result
 
 BATCH = 64            # programs; their transport costs little, and a killed client loses little
 DEATHS = 2            # a program that ends so many children is quarantined
@@ -102,6 +102,7 @@ class Child:
                 pass
         kill_group(process)
         process.wait()
+        remove_folders(process.pid)
         return process.returncode
 
 

@@ -70,6 +70,17 @@ def result(item: Item, state: str, reason: str = '', control: str = '', **more: 
             'reason': reason[:MOST_TEXT], 'findings': [], **more}
 
 
+def prefix_of(process: int) -> str:
+    """Returns how the names of a process's temporary folders begin."""
+    return f'kadr-archive-{process}-'
+
+
+def remove_folders(process: int) -> None:
+    """Removes the temporary folders that a killed process has left."""
+    for left in Path(tempfile.gettempdir()).glob(f'{prefix_of(process)}*'):
+        shutil.rmtree(left, ignore_errors=True)
+
+
 def done(item: Item, job: Job) -> dict[str, Any]:
     """Does the job with a program and returns the result."""
     text = item.text
@@ -81,7 +92,7 @@ def done(item: Item, job: Job) -> dict[str, Any]:
         if hashlib.sha256(text).digest() != item.content:
             return result(item, 'changed', 'the file has changed since it was found')
     needs_files = item.folder or not item.path or '\n' in job.machine or item.asked in job.controls or job.what != 'check'
-    with tempfile.TemporaryDirectory(prefix='kadr-archive-') if needs_files else contextlib.nullcontext('/nowhere') as folder:
+    with tempfile.TemporaryDirectory(prefix=prefix_of(os.getpid())) if needs_files else contextlib.nullcontext('/nowhere') as folder:
         asked, machine = _files_of(item, job, folder)
         name = item.path or f'{folder}/memory/{item.name}'
         if item.folder or not item.path:
