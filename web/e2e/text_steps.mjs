@@ -75,7 +75,7 @@ export function text_steps({ kadr, page, pictures, only }) {
       await page.keyboard.press("Control+Home");
       await page.keyboard.type("(ONE)\n(TWO)\n(THREE)\n");
       await until("that it is another text", () => count(".machine-other"));
-      must((await marked()) === "", `marked in the edited text: ${await marked()}`);
+      await until("no mark in the edited text", async () => (await marked()) === "");
       await page.keyboard.press("Control+s");
       await until("saved", async () => !(await count(".dirty")));
       await ended();

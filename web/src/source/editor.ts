@@ -60,7 +60,9 @@ const running = StateField.define<Running>({
   create: () => ({ line: 0, beside: "" }),
   update(now, tr) {
     for (const e of tr.effects) if (e.is(set_running)) return e.value;
-    return now;
+    // In an edited text the mark stays at its block until the next state says otherwise.
+    const at = tr.docChanged ? start_of(tr.startState, now.line) : -1;
+    return at < 0 ? now : { ...now, line: tr.newDoc.lineAt(tr.changes.mapPos(at, 1)).number };
   },
   provide: (f) => [
     EditorView.decorations.compute([f, "doc"], (s) => running_marks(s, s.field(f))),
