@@ -248,7 +248,7 @@ Status BlockRun::function_after(double code, const KlartextWord& word) {
   Memory& memory = own_.memory;
   switch (static_cast<int>(code)) {
     case 97: return {};
-    case 98: return {};
+    case 98: return fail(alarm(AlarmId::not_available, word.where, "M98"));
     case 89: memory.calls_always = true; return {};
     case 99:
       calls_ = true;

@@ -91,7 +91,7 @@ Status Heidenhain::define_cycle(Interpreter& m, const KlartextBlock& block) {
       to.index = static_cast<std::uint16_t>(word.name);
       if (word.text == "MAX") *read = -1;
       else if (word.text == "AUTO") *read = memory.tool_feed / m.unit_scale();
-      else if (word.text == "PREDEF") continue;
+      else if (word.text == "PREDEF") return fail(alarm(AlarmId::not_available, where, "PREDEF"));  // the value of GLOBAL DEF
       KADR_TRY(set_parameter(to, *read));
     }
   switch (cycle) {
@@ -119,8 +119,8 @@ Status Heidenhain::define_cycle(Interpreter& m, const KlartextBlock& block) {
     case 13:
     case 14:
     case 32:
-    case 239:
-    case 392: return {};  // settings of the drives: the path stays as it is
+    case 239:  // the load is weighed, the drives are tuned: the path stays as it is
+    case 392: m.warn(warning(AlarmId::word_passed_over, where, std::string_view("CYCL DEF " + std::to_string(cycle)))); return {};
     case 19:
       if (block.part < 1) return {};
       {

@@ -143,7 +143,7 @@ Status KlartextFunctions::function() {
   }
   if (n == 18) return system_value();
   if (n == 23 || n == 24) return circle_data();
-  if (n == 19 || n == 20 || n == 29 || n == 37 || n == 38) return name_of(KlartextKind::passed_over, {});
+  if (n == 19 || n == 20 || n == 29 || n == 38) return name_of(KlartextKind::passed_over, {});
   return name_of(KlartextKind::not_available, "FN " + std::to_string(n));
 }
 

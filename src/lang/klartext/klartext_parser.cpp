@@ -21,12 +21,25 @@ constexpr Motion motions[] = {
     {"CC", KlartextKind::centre},         {"CR", KlartextKind::radius_circle}, {"CTP", KlartextKind::polar_tangent_circle},
     {"CT", KlartextKind::tangent_circle}, {"CP", KlartextKind::polar_circle},  {"C", KlartextKind::circle}};
 
-/// Statements that change nothing in a run: settings of the graphics, of the machine, of tables that Kadr does not have.
-constexpr std::string_view passed_over[] = {"FUNCTION MODE",    "FUNCTION PROG PATH", "FUNCTION FEED", "FUNCTION COUNT", "FUNCTION DWELL",
-                                            "FUNCTION S-PULSE", "GLOBAL DEF",         "PATTERN CLEAR", "POLARKIN"};
+/// Statements that change neither the path nor the time of a run: the mode in which a mill works anyway, the counter of parts.
+constexpr std::string_view passed_over[] = {"FUNCTION MODE MILL", "FUNCTION PROG PATH OFF", "FUNCTION COUNT", "PATTERN CLEAR", "POLARKIN OFF"};
 
-constexpr std::string_view refused[] = {
-    "SPL", "TCH PROBE", "SEL CONTOUR", "CONTOUR DEF", "SEL PATTERN", "SQL", "CALL SELECTED CONTOUR", "SEL TABLE", "FUNCTION"};
+constexpr std::string_view refused[] = {"SPL",
+                                        "TCH PROBE",
+                                        "SEL CONTOUR",
+                                        "CONTOUR DEF",
+                                        "SEL PATTERN",
+                                        "SQL",
+                                        "CALL SELECTED CONTOUR",
+                                        "SEL TABLE",
+                                        "GLOBAL DEF",
+                                        "POLARKIN",
+                                        "FUNCTION MODE",
+                                        "FUNCTION PROG PATH",
+                                        "FUNCTION FEED",
+                                        "FUNCTION DWELL",
+                                        "FUNCTION S-PULSE",
+                                        "FUNCTION"};
 
 class KlartextParser : public KlartextFunctions {
  public:
