@@ -33,6 +33,20 @@ TEST(StatedBox, AHeadingBeforeTheSizes) {
   EXPECT_FALSE(stated_box({{1, "(Material Size)"}, {2, "(X=)"}, {3, "(X= 12.0, Y= 8.0, Z= 0.75)"}}, true));
 }
 
+TEST(StatedBox, TheBlankOfAConversationalProgram) {
+  const auto stated = stated_box(
+      {{1, "0 BEGIN PGM T MM"}, {2, "1 BLK FORM 0.1 Z X-10 Y+0 Z-20 ; (PLATE 1X2X3)"}, {3, "2 BLK FORM 0.2 X+90 Y+60 Z+0"}}, false);
+  ASSERT_TRUE(stated);
+  EXPECT_EQ(stated->line, 3U);
+  expect_box(placed_box(stated->size, {{500, 500, -5}, {510, 510, 0}}, 0), {{-10, 0, -20}, {90, 60, 0}});
+  const auto inch = stated_box({{1, "BEGIN PGM T INCH"}, {2, "BLK FORM 0.1 Z X0 Y0 Z-1"}, {3, "BLK FORM 0.2 IX+2 IY+1 IZ+1"}}, false);
+  ASSERT_TRUE(inch);
+  expect_box(placed_box(inch->size, {{0, 0, 0}, {1, 1, 1}}, 0), {{0, 0, -25.4}, {50.8, 25.4, 0}});
+  for (const char* const second :
+       {"BLK FORM 0.2 X+Q1 Y+60 Z+0", "BLK FORM 0.2 X+90 Y+60", "BLK FORM 0.2 X-10 Y+60 Z+0", "; BLK FORM 0.2 X1 Y1 Z1"})
+    EXPECT_FALSE(stated_box({{1, "BLK FORM 0.1 Z X-10 Y+0 Z-20"}, {2, second}}, false)) << second;
+}
+
 TEST(StatedBox, LiesWhereItHoldsTheCut) {
   expect_box(placed_box(sized(120, 80, 25), {{-50, -30, -5}, {50, 30, 0}}, 0), {{-60, -40, -25}, {60, 40, 0}});
   expect_box(placed_box(sized(120, 80, 25), {{10, 10, -5}, {110, 70, 0}}, 0), {{0, 0, -25}, {120, 80, 0}});

@@ -1,11 +1,14 @@
-// Finds the rectangular blank in the comments of a milling program, and places it. Used by view/stock_guess; tested by
-// tests/session/stated_box_test.cpp.
+// Finds the rectangular blank in the comments of a milling program, or in its statement BLK FORM, and places it. Used by view/stock_guess;
+// tested by tests/session/stated_box_test.cpp.
 
 #include "session/cutting/stated_box.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
+
+#include "lang/klartext/klartext_parser.h"
 
 namespace kadr {
 namespace {
@@ -67,9 +70,60 @@ std::array<double, 3> sizes_along_axes(const BoxComment& stated, const Box3& cut
   return best;
 }
 
+/// A line of the statement BLK FORM of a conversational program.
+struct FormLine {
+  int part = 0;  // 1: least corner, 2: greatest corner, 0: another form
+  std::array<double, 3> corner{};
+  std::array<bool, 3> incremental{};  // from the least corner
+};
+
+/// Reads BLK FORM 0.1 or 0.2 with three plain numbers; nullopt if the line is none of them.
+std::optional<FormLine> form_line(std::string_view line) {
+  const std::size_t begin = line.find("BLK FORM");
+  if (begin == std::string_view::npos || line.find(';') < begin) return std::nullopt;
+  const auto end = static_cast<std::uint32_t>(std::min(line.find(';'), line.size()));
+  const auto read = read_klartext_block(line, {static_cast<std::uint32_t>(begin), end});
+  if (!read || read->kind != KlartextKind::blank_form || read->part < 1 || read->part > 2) return std::nullopt;
+  FormLine of{read->part};
+  std::array<bool, 3> has{};
+  for (const KlartextWord& word : read->words)
+    for (std::size_t d = 0; d < 3; ++d)
+      if (word.name == word_name(std::string_view("XYZ").substr(d, 1)) && !word.value)
+        of.corner[d] = word.number, of.incremental[d] = word.incremental, has[d] = true;
+  return has[0] && has[1] && has[2] ? std::optional(of) : std::nullopt;
+}
+
+/// Returns the blank of BLK FORM 0.1 and 0.2 (spec/heidenhain 2); nullopt if the program has none or computes its corners.
+std::optional<StatedBox> blank_form(const ProgramLines& lines) {
+  constexpr double mm_per_inch = 25.4;
+  double scale = 1;
+  std::optional<FormLine> least;
+  for (const auto& [line, text] : lines) {
+    if (text.find("BEGIN PGM") != std::string::npos) scale = text.find(" INCH") == std::string::npos ? 1 : mm_per_inch;
+    const auto form = form_line(text);
+    if (!form) continue;
+    if (form->part == 1) {
+      least = form;
+      continue;
+    }
+    if (!least) return std::nullopt;
+    StatedBox box{{}, line, text.substr(text.find("BLK FORM"))};
+    box.size.has_axes = true;
+    box.size.zero.emplace();
+    for (std::size_t d = 0; d < 3; ++d) {
+      box.size.size[d] = scale * (form->corner[d] - (form->incremental[d] ? 0 : least->corner[d]));
+      (*box.size.zero)[d] = -scale * least->corner[d];
+      if (!(box.size.size[d] > 0)) return std::nullopt;
+    }
+    return box;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<StatedBox> stated_box(const ProgramLines& lines, bool inch) {
+  if (auto form = blank_form(lines)) return form;
   bool after_heading = false;
   std::string heading;
   for (const auto& [line, text] : lines)

@@ -1,5 +1,6 @@
 #pragma once
-// StatedBox: the rectangular blank that the comments of a milling program state, and where it lies. It is used by view/stock_guess.
+// StatedBox: the rectangular blank that a milling program states in its comments or by BLK FORM, and where it lies. It is used by
+// view/stock_guess.
 
 #include <cstdint>
 #include <optional>
@@ -17,7 +18,7 @@ struct StatedBox {
   std::string text;        // its comment
 };
 
-/// Returns the first blank that the comments state; nullopt if none states a size.
+/// Returns the blank of BLK FORM (conversational programs), or the first one that the comments state; nullopt if none states a size.
 ///   inch  true: numbers without a unit are in inches
 std::optional<StatedBox> stated_box(const ProgramLines& lines, bool inch);
 
