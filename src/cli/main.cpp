@@ -55,6 +55,11 @@ int perform(const CLI::App& app, const Commands& commands) {
   if (app.got_subcommand("report")) return report(commands.report);
   if (app.got_subcommand("serve")) return serve(commands.serve);
   if (app.got_subcommand("drive")) return drive_machine(commands.drive);
+  if (app.got_subcommand("dnc")) {
+    DncOptions options = commands.dnc;
+    options.task = app.get_subcommand("dnc")->get_subcommands().front()->get_name();
+    return exchange_programs(options);
+  }
   if (app.got_subcommand("lsp")) return serve_language(commands.lsp);
   if (app.got_subcommand("dap")) return serve_debugging(commands.lsp);
   if (app.got_subcommand("man")) {
@@ -91,7 +96,8 @@ int main(int argc, char** argv) {
   take_usual_words(argc, argv);
   Commands commands;
   commands.options.limits.stop = commands.cut.run.limits.stop = commands.diff.both.limits.stop = commands.convert.run.limits.stop =
-      commands.edit.run.limits.stop = commands.report.cut.run.limits.stop = commands.drive.run.limits.stop = stop_token();
+      commands.edit.run.limits.stop = commands.report.cut.run.limits.stop = commands.drive.run.limits.stop = commands.dnc.run.limits.stop =
+          stop_token();
   commands.options.lang = language_on(argc, argv);
   const kadr::Lang lang = language(commands.options);
   kadr::set_process_language(lang);

@@ -149,6 +149,7 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   add_report(*app, c);
   add_serve(*app, c);
   add_drive(*app, c);
+  add_dnc(*app, c);
   add_lsp(*app, c);
   add_pages(*app, c);
   app->footer(plain_text(texts::command_line::how_to_begin));
@@ -157,9 +158,9 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
 }
 
 void speak(Commands& c, const std::string& lang) {
-  for (std::string* const member :
-       {&c.options.lang, &c.explain.lang, &c.tape.lang, &c.state.lang, &c.setup.program.lang, &c.mill.lang, &c.cut.run.lang,
-        &c.diff.both.lang, &c.convert.run.lang, &c.edit.run.lang, &c.report.cut.run.lang, &c.serve.lang, &c.lsp.lang, &c.drive.run.lang})
+  for (std::string* const member : {&c.options.lang, &c.explain.lang, &c.tape.lang, &c.state.lang, &c.setup.program.lang, &c.mill.lang,
+                                    &c.cut.run.lang, &c.diff.both.lang, &c.convert.run.lang, &c.edit.run.lang, &c.report.cut.run.lang,
+                                    &c.serve.lang, &c.lsp.lang, &c.drive.run.lang, &c.dnc.run.lang})
     *member = lang;
 }
 

@@ -28,6 +28,7 @@ struct Commands {
   ServeOptions serve;
   LspOptions lsp;
   DriveOptions drive;
+  DncOptions dnc;
   ReportOptions report;
   std::string machine;  // argument of the command `machines`; empty: all machines
   std::string shell;    // argument of the command `completion`

@@ -38,6 +38,8 @@ void cell_option(CLI::App& app, CutOptions& options);
 void add_serve(CLI::App& app, Commands& commands);
 /// Adds the command drive (drive_command.cpp).
 void add_drive(CLI::App& app, Commands& commands);
+/// Adds the command dnc (dnc_command.cpp).
+void add_dnc(CLI::App& app, Commands& commands);
 /// Adds the commands lsp and dap (lsp_command.cpp).
 void add_lsp(CLI::App& app, Commands& commands);
 

@@ -169,6 +169,19 @@ struct DriveOptions {
 };
 int drive_machine(const DriveOptions& options);
 
+/// The options of kadr dnc.
+struct DncOptions {
+  Options run;
+  std::string task;     // send, receive or serve
+  std::string file;     // the program, the file for a received program, or the folder of programs
+  std::string port;     // device
+  std::string profile;  // id of a profile (drive/dnc/dnc_profile.h)
+  int baud = 0;         // rate of the line, bit/s; 0: that of the profile
+  double silence = 3;   // time after which a received program is complete, s
+  bool unchecked = false;
+};
+int exchange_programs(const DncOptions& options);
+
 struct ExplainOptions {
   std::string control;
   std::string code;  // code that is explained; empty: the whole control is described

@@ -51,17 +51,8 @@ std::string between_percents(std::string_view text) {
   return whole;
 }
 
-}  // namespace
-
-std::span<const DncProfile> dnc_profiles() { return profiles; }
-
-const DncProfile* dnc_profile_named(std::string_view id) {
-  const auto* const found = std::find_if(std::begin(profiles), std::end(profiles), [&](const DncProfile& p) { return id == p.id; });
-  return found == std::end(profiles) ? nullptr : found;
-}
-
-Result<std::string> dnc_bytes(const DncProfile& profile, std::string_view text) {
-  const std::string whole = profile.percent ? between_percents(text) : std::string(text);
+/// Returns the bytes of a text on the line.
+Result<std::string> coded(const DncProfile& profile, std::string_view whole) {
   if (profile.code != DncCode::ascii)
     return encode_tape(whole, profile.leader, profile.code == DncCode::eia ? TapeCode::eia : TapeCode::iso);
   std::string bytes(profile.leader, '\0');
@@ -77,7 +68,7 @@ Result<std::string> dnc_bytes(const DncProfile& profile, std::string_view text) 
   return bytes;
 }
 
-DncText dnc_text(const DncProfile& profile, std::string_view bytes) {
+DncText text_on_line(const DncProfile& profile, std::string_view bytes) {
   DncText result;
   if (profile.code != DncCode::ascii) {
     const TapeReading read = read_tape(bytes, profile.code == DncCode::eia ? TapeCode::eia : TapeCode::iso);
@@ -92,6 +83,31 @@ DncText dnc_text(const DncProfile& profile, std::string_view bytes) {
     if (static_cast<unsigned char>(c) > 0x7f && ++result.faults == 1) result.first_fault = i + 1;
     result.text += static_cast<unsigned char>(c) > 0x7f ? '?' : c;
   }
+  return result;
+}
+
+}  // namespace
+
+std::span<const DncProfile> dnc_profiles() { return profiles; }
+
+const DncProfile* dnc_profile_named(std::string_view id) {
+  const auto* const found = std::find_if(std::begin(profiles), std::end(profiles), [&](const DncProfile& p) { return id == p.id; });
+  return found == std::end(profiles) ? nullptr : found;
+}
+
+Result<std::string> dnc_bytes(const DncProfile& profile, std::string_view text) {
+  const std::string whole = profile.percent ? between_percents(text) : std::string(text);
+  auto bytes = coded(profile, whole);
+  if (!bytes) {
+    const std::uint32_t added = profile.percent && !text.starts_with('%') ? 2 : 0;  // the line `%` at the beginning
+    bytes.error().where.begin -= added, bytes.error().where.end -= added;
+  }
+  return bytes;
+}
+
+DncText dnc_text(const DncProfile& profile, std::string_view bytes) {
+  DncText result = text_on_line(profile, bytes);
+  if (result.text.ends_with('%')) result.text += '\n';  // the receiver ends at this mark, before the end of its line
   return result;
 }
 

@@ -77,7 +77,8 @@ void DncReceiver::receive(std::string_view bytes, double now) {
       continue;
     }
     heard_at_ = now;
-    if (state_ == State::waits && code == '\0') continue;  // the leader
+    // the leader, and what is left of the line of the program before: its end
+    if (state_ == State::waits && (code == '\0' || (!is_eia && (code == '\n' || code == '\r' || code == ' ')))) continue;
     state_ = State::receives;
     bytes_ += byte;
     const unsigned char row = static_cast<unsigned char>(byte);

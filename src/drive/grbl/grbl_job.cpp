@@ -1,4 +1,4 @@
-// A program for Grbl as the lines of a job. Used by kadr drive, tested by tests/drive/grbl_job_test.cpp.
+// A program for Grbl as the lines of a job. Used by kadr drive, tested by tests/drive.py.
 
 #include "drive/grbl/grbl_job.h"
 

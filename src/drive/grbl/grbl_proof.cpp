@@ -1,4 +1,4 @@
-// Compares a controller with a program. Used by kadr drive, tested by tests/drive/grbl_proof_test.cpp.
+// Compares a controller with a program. Used by kadr drive, tested by tests/drive.py.
 
 #include "drive/grbl/grbl_proof.h"
 

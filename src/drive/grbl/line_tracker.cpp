@@ -1,4 +1,4 @@
-// Finds the line of a job that a Grbl controller executes now. Used by grbl_link, tested by tests/drive/line_tracker_test.cpp.
+// Finds the line of a job that a Grbl controller executes now. Used by grbl_link, tested by tests/drive/grbl_link_test.cpp.
 
 #include "drive/grbl/line_tracker.h"
 

@@ -1,4 +1,4 @@
-// The record of a conversation with a machine. Tested by tests/drive/black_box_test.cpp.
+// The record of a conversation with a machine. Tested by tests/drive.py.
 
 #include "drive/port/black_box.h"
 

@@ -1,4 +1,4 @@
-// Serial lines (termios) and TCP connections. Tested by tests/drive/byte_port_test.cpp over pseudo-terminals and the loopback interface.
+// Serial lines (termios) and TCP connections. Tested by tests/drive.py over pseudo-terminals and the loopback interface.
 
 #include "drive/port/byte_port.h"
 
