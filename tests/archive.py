@@ -435,7 +435,7 @@ def whole_and_by_windows(kadr, name, count, *options):
     whole = kadr.call('cut', *words, *put['whole'], '--lang', 'en', '-q', env=kadr.environment())
     expect(whole.returncode in (0, 1), f'{name}: {whole.stderr}')
     joined = kadr.archive('cut', *words, *put['windows'], '--windows', count, '--lang', 'en', '-q', *options, expected=whole.returncode)
-    expect(joined.stderr == whole.stderr, f'{name}: other messages: {joined.stderr[:500]} instead of {whole.stderr[:500]}')
+    expect(joined.stderr == whole.stderr, f'{name}: other messages: {set(joined.stderr.splitlines()) ^ set(whole.stderr.splitlines())}')
     for file in results[1::2]:
         one, other = ((folder / file).read_bytes() for folder in where.values())
         expect(len(one) > 100 and one == other, f'{name}: {file} by {count} windows differs from that of one process')

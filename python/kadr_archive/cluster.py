@@ -1,6 +1,7 @@
 """Works with a Dask cluster: a scheduler that runs already, with workers on any computers that have this package."""
 from __future__ import annotations
 
+import logging
 import queue
 import threading
 from pathlib import Path
@@ -32,6 +33,7 @@ def connect(scheduler: str, scheduler_file: Optional[Path]) -> tuple[Any, Any]:
         import distributed
     except ImportError:
         raise CannotWork('a cluster needs Dask: python3-distributed') from None
+    logging.getLogger('distributed').setLevel(logging.ERROR)   # that a busy computer answers late is no message for the user
     where = {'scheduler_file': str(scheduler_file)} if scheduler_file else {'address': scheduler}
     if scheduler_file and not scheduler_file.is_file():
         raise CannotWork(f'{scheduler_file}: no such file')
