@@ -41,6 +41,7 @@ std::string sample_name(SetupNames kind, const ControlDef* def) {
     case SetupNames::work_offset: return "G54";
     case SetupNames::variable:
       if (def != nullptr && def->grammar.named_blocks) return "#R2";
+      if (def != nullptr && def->grammar.klartext_blocks) return "#Q2";
       return def != nullptr && def->grammar.variables == 0 && !def->grammar.custom_macros ? "R2" : "#100";
     case SetupNames::parameter: return "N1501";
     case SetupNames::place: return "10/1";
@@ -127,26 +128,27 @@ TEST(setup_keys, what_the_controls_have) {
       {"grbl", {H::nothing, H::work_offsets, H::parameters, H::probe}},
       {"fanuc",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
-        H::probe, H::diameters, H::turning, H::machine_axes}},
+        H::probe, H::diameters, H::turning, H::machine_axes, H::kinematics}},
       {"fanuc-t",  // turning_lengths: its tables have variables for X and Y
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::lathe_offsets,
-        H::tool_management, H::clock, H::probe, H::diameters, H::turning, H::machine_axes}},
+        H::tool_management, H::clock, H::probe, H::diameters, H::turning, H::machine_axes, H::kinematics}},
       {"haas-st",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::lathe_offsets,
-        H::tool_management, H::clock, H::probe, H::diameters, H::turning, H::machine_axes}},
+        H::tool_management, H::clock, H::probe, H::diameters, H::turning, H::machine_axes, H::kinematics}},
       {"haas",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
-        H::probe, H::diameters, H::turning, H::machine_axes}},
+        H::probe, H::diameters, H::turning, H::machine_axes, H::kinematics}},
       {"gost", {H::nothing, H::work_offsets, H::diameters, H::turning, H::skip_question}},
       {"correctors", {H::nothing, H::correctors}},
       {"sinumerik", {H::nothing, H::work_offsets, H::variables}},
+      {"heidenhain", {H::nothing, H::work_offsets, H::variables, H::kinematics}},
       {"nct",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
-        H::probe, H::diameters, H::turning, H::machine_axes}},
+        H::probe, H::diameters, H::turning, H::machine_axes, H::kinematics}},
   };
   for (const ControlDef& def : controls()) {
     std::set<H> there;
-    for (int needs = 0; needs <= static_cast<int>(H::machine_axes); ++needs)
+    for (int needs = 0; needs <= static_cast<int>(H::kinematics); ++needs)
       if (has(def, static_cast<H>(needs))) there.insert(static_cast<H>(needs));
     std::vector<std::string> ids{def.id};  // a control without a row of its own has what its nearest base has
     ids.insert(ids.end(), def.lineage.begin(), def.lineage.end());
