@@ -251,7 +251,7 @@ void add_drive(CLI::App& app, Commands& c) {
         plain_text(texts::drive_command::row));
   number(drive->add_option("--ahead", o.ahead, translated(texts::drive_command::ahead)), plain_text(texts::values::seconds), 0, 60)
       ->capture_default_str();
-  takes_file(drive->add_option("--log", o.log, translated(texts::drive_command::log)))->capture_default_str();
+  writes_file(drive->add_option("--log", o.log, translated(texts::drive_command::log)))->capture_default_str();
   writes_file(drive->add_option("--out", o.out, translated(texts::drive_command::out)));
   program_options(*drive, o.run);
   drive->footer(plain_text(texts::help_examples::drive));

@@ -1,6 +1,7 @@
 // What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server, GROUP=…
 // for one group of steps, STEPS=… for the steps of these names. Exit status 1 if a step fails. Waits are for conditions,
-// with long limits: a busy machine is slow, not wrong. UNTIL_FAILURE=1 ends at the first step that fails. Steps that the server does not support are skipped with a message.
+// with long limits: a busy machine is slow, not wrong. UNTIL_FAILURE=1 ends at the first step that fails. Steps that the server
+// does not support are skipped with a message.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";

@@ -266,6 +266,7 @@ Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::
 }
 
 Result<std::string> bare_program(const ControlDef& def) {
+  if (def.grammar.klartext_blocks) return "0 BEGIN PGM NEW MM\n1 M30\n2 END PGM NEW MM\n";
   const Technology nothing;
   return ProgramWriter(def, nothing).write_bare();
 }
