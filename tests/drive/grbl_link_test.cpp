@@ -209,13 +209,13 @@ struct Injection {
     if (byte < 0 || --byte >= 0) return given;
     if (kind == Injected::lost_from) return 0;
     if (kind == Injected::doubled_from) rig.link.receive(std::string(1, given), rig.machine.now);
-    if (kind == Injected::changed_from) return static_cast<char>(given ^ (1 + random() % 127));
+    if (kind == Injected::changed_from) return static_cast<char>(given ^ static_cast<char>(1 + random() % 127));
     return given;
   }
   char to(char given, std::mt19937& random) {
     if (byte < 0 || --byte >= 0) return given;
     if (kind == Injected::lost_to) return 0;
-    return static_cast<char>(given ^ (1 + random() % 127));
+    return static_cast<char>(given ^ static_cast<char>(1 + random() % 127));
   }
 };
 
