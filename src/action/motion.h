@@ -43,6 +43,7 @@ enum class CornerJoin : std::uint8_t {
   extended,  // the path follows the tangents of both path elements at the corner; it cuts off the tip of a sharp corner (nct 15.5.2)
   arc,       // the path is an arc about the programmed point (2С42 G36, Mach3)
   straight,  // the path follows both offset lines to their intersection (2С42 G37)
+  open,      // both path elements are followed to their ends, inside corners too, with a straight move between them (spec/heidenhain 7.6)
 };
 
 /// The speed control where two motions meet (nct 6.3).
@@ -89,6 +90,7 @@ struct CornerData {
   // true: the programmed plane is mirrored, so an arc that is clockwise in the program is executed counter-clockwise
   bool mirrored = false;
   bool square = false;  // the next motion must be a line at a right angle to this one (spec/fanuc-t 3.4)
+  double feed = 0;      // feed of the chamfer or rounding, in the unit of the motion's feed; 0: that of the motion
 };
 
 /// Computes the positions of the tool tip and of the rotary axes along a motion with tool centre point control. It is needed only for modes
@@ -189,6 +191,7 @@ struct MotionCompensation {
   std::uint8_t nose = 0;
   SideStep side_step = SideStep::none;
   CornerJoin join_corner = CornerJoin::extended;  // shape of the corner between this motion and the next motion
+  bool corner_first = false;  // actions between this motion and the next motion of the contour come after the way around their corner
   // first compensated position; only for a motion with which compensation starts
   CompensationApproach entry = CompensationApproach::by_corner;
 };

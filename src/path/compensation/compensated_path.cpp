@@ -45,7 +45,18 @@ void RadiusCompensation::release_first() {
     return;
   }
   if (first.end.round) now_.round_first = first.motion;  // The motion is copied here, because let_go() moves it out of `first`.
+  const bool corner_first = first.motion.corner_first;
   if (!let_go(first)) return;
+  if (!corner_first) emit_waiting(first);
+  now_.regular_start = first.regular;
+  now_.radius_before = first.motion.tool_radius;
+  go_around_corner(first);
+  if (corner_first) emit_waiting(first);
+  drop_first();
+}
+
+/// Emits the actions between a motion and the next motion of the contour, with the vector at which the tool is.
+void RadiusCompensation::emit_waiting(Held& first) {
   for (Action& action : first.waiting) {
     now_.stand.take(action);
     if (auto* const m = motion_of(action)) shift(*m, displacement());
@@ -53,10 +64,6 @@ void RadiusCompensation::release_first() {
     out_.add() = std::move(action);
   }
   first.waiting.clear();
-  now_.regular_start = first.regular;
-  now_.radius_before = first.motion.tool_radius;
-  go_around_corner(first);
-  drop_first();
 }
 
 /// Moves the tool around the corner at the end of `first`, from the first compensation vector at this corner to the last vector. Straight

@@ -163,6 +163,12 @@ std::optional<JunctionVectors> junction(const ContourElement& first, const Conto
 std::optional<JunctionVectors> joined(const ContourElement& first, const ContourElement& second, double radius, double side,
                                       CornerJoin join) {
   const Vec2 n1 = side_normal(first.end, side), n2 = side_normal(second.start, side);
+  if (join == CornerJoin::open) {
+    JunctionVectors ends;
+    ends.add(radius * n1);
+    ends.add(radius * n2);
+    return ends;
+  }
   const bool outside = !tangential(first.end, second.start) && corner_of(first.end, second.start, side) != Corner::inside;
   if (!outside || join == CornerJoin::extended) return junction(first, second, radius, side);
   JunctionVectors v;

@@ -223,6 +223,7 @@ void CornerResolver::let_go(Vec2 corner, const CornerElement& inserted, Certaint
   if (certainty == Certainty::settled_later) now_.settled_origin = now_.held->action.origin;
   Action last = std::move(now_.held->action);
   auto& m = std::get<Motion>(last.what);
+  const double feed = m.detail && m.detail->contour ? m.detail->contour->feed : 0;
   without_corner_data(m);
   shift_in_plane(m, m.first, m.second, inserted.from - now_.held->end, now_.at.turn.get());
   if (corner != now_.held->end || taken > 0) m.named |= AxisMask{1} << m.first | AxisMask{1} << m.second;
@@ -232,6 +233,7 @@ void CornerResolver::let_go(Vec2 corner, const CornerElement& inserted, Certaint
     if (!used_up) forward_action(std::move(last), certainty);
   } else {
     Action between = shaped_like(last, inserted);
+    if (feed > 0) std::get<Motion>(between.what).feed = feed;
     if (!used_up) forward_action(std::move(last), certainty);
     forward_action(std::move(between), certainty);
   }

@@ -132,6 +132,7 @@ class RadiusCompensation {
   bool let_go(Held& held);
   bool rejoin(Motion& motion, const Held& held, Vec2 end_vector) const;
   void go_around_corner(const Held& first);
+  void emit_waiting(Held& first);
   void round(Vec2 to, const Origin& origin, const Motion& like);
   void step(Vec2 vector, Vec2 tip, const Motion& like, const Origin& origin);
   void turn_to(Motion& motion, const Held& held, Vec2 end_vector) const;
