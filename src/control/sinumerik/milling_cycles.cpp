@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/cycles/pocket_rings.h"
 #include "control/sinumerik/sinumerik.h"
 
 namespace kadr::sinumerik {
@@ -211,35 +212,13 @@ class MillMaker {
   Vec2 placed(double x, double y) const { return centre_ + Vec2{x * turn_.cos - y * turn_.sin, x * turn_.sin + y * turn_.cos}; }
 
   void rings(double a, double b, double corner) {
-    const double least = std::min(a, b);
-    const auto count = static_cast<int>(std::ceil(least / width_ - 1e-9));
-    for (int i = 0; i <= count; ++i) {
-      const double inset = count == 0 ? 0 : least - least * i / count;
-      ring(a - inset, b - inset, std::max(0.0, corner - inset));
+    std::vector<RingMove> moves;
+    append_rings(moves, {a, b, corner}, width_, cw_);
+    for (const RingMove& move : moves) {
+      const Vec2 to = placed(move.to.x, move.to.y);
+      if (move.turns == 0) straight(MillStep::Kind::feed, to, height_, feed_);
+      else arc(cw_, to, placed(move.centre.x, move.centre.y), move.turns);
     }
-    straight(MillStep::Kind::feed, centre_, height_, feed_);
-  }
-
-  /// One ring: a circle if its corners meet, otherwise lines with corners, from the middle of the side towards -Y.
-  void ring(double a, double b, double corner) {
-    const auto feed_to = [&](double x, double y) { straight(MillStep::Kind::feed, placed(x, y), height_, feed_); };
-    if (a <= tol::same_point && b <= tol::same_point) return;
-    if (std::fabs(a - b) <= tol::same_point && std::fabs(corner - a) <= tol::same_point) {
-      feed_to(a, 0);
-      return arc(cw_, placed(a, 0), centre_, 1);
-    }
-    const double side = cw_ ? -1 : 1;  // counter-clockwise towards +X on the lower side
-    const double c = corner;
-    feed_to(0, -b);
-    const Vec2 around[] = {{1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
-    for (int i = 0; i < 4; ++i) {
-      const Vec2 at{around[i].x * a * side, around[i].y * b};  // corner of the ring, mirrored for clockwise
-      const Vec2 in = i % 2 == 0 ? Vec2{around[i].x * side * c, 0} : Vec2{0, around[i].y * c};
-      const Vec2 out = i % 2 == 0 ? Vec2{0, around[i].y * c} : Vec2{around[i].x * side * c, 0};
-      feed_to(at.x - in.x, at.y - in.y);
-      if (c > tol::same_point) arc(cw_, placed(at.x - out.x, at.y - out.y), placed(at.x - in.x - out.x, at.y - in.y - out.y), 0.25);
-    }
-    feed_to(0, -b);
   }
 
   /// CYCLE71: lanes that overrun the face by the tool's radius and FDP.
