@@ -57,6 +57,8 @@ bool take_stock(const StockGuess& guess, const ProgramRun& run, const Job& job, 
   else if (turned && bar && bar->size.length)
     write_message(translated(texts::cut_command::stock_stated, stock, bar->line, bar->text) + "\n");
   else if (turned && bar) write_message(translated(texts::cut_command::diameter_stated, stock, bar->line, bar->text) + "\n");
+  else if (!turned && hints.box && hints.box->size.zero)
+    write_message(translated(texts::cut_command::box_placed, stock, hints.box->line, hints.box->text) + "\n");
   else if (!turned && hints.box) write_message(translated(texts::cut_command::box_stated, stock, hints.box->line, hints.box->text) + "\n");
   else write_message(translated(texts::cut_command::stock_guessed, stock) + "\n");
   return !stock.empty();

@@ -184,8 +184,12 @@ void Control::set_time(double now_ms, double cutting_ms) {
 bool Control::may_read_clock() const { return interpreter_->def.has_clocks(); }
 bool Control::reads_clock() const { return interpreter_->reads_clock; }
 std::optional<RunState> Control::run_state() const {
-  const MachineInterface* const side = machine_interface();
-  return side == nullptr ? std::nullopt : std::optional(side->run_state(*interpreter_));
+  if (const MachineInterface* const side = machine_interface()) return side->run_state(*interpreter_);
+  RunState state;
+  state.frame = interpreter_->dialect->programming_frame(*interpreter_);
+  if (state.frame.empty()) return std::nullopt;
+  state.tables = tables_now();
+  return state;
 }
 Setup Control::tables_now() const { return tables_of(*interpreter_); }
 std::map<std::uint32_t, std::string> Control::texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const {

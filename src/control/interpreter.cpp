@@ -126,7 +126,7 @@ Control::State Interpreter::run(ActionBatch& to) {
   begin_batch(to);
   const bool looked_at = line_marks != nullptr || (holds_before != nullptr && *holds_before);
   const std::uint64_t until = flow.blocks() + most_unseen;
-  while (to.size() < batch_size && !is_stopped() && !(each_block && !to.empty()) && !stop_.requested()) {
+  while (to.size() < batch_size && !is_stopped() && !needs_probe && !(each_block && !to.empty()) && !stop_.requested()) {
     if (waiting.meeting) return Control::State::waiting;
     if (continues_last()) continue;
     if (flow.ended()) return Control::State::ended;
@@ -153,7 +153,7 @@ Control::State Interpreter::run(ActionBatch& to) {
       return *state;
     }
   }
-  return is_stopped() ? Control::State::stopped : Control::State::running;
+  return is_stopped() ? Control::State::stopped : needs_probe ? Control::State::needs_probe : Control::State::running;
 }
 
 void Interpreter::watch_states() {

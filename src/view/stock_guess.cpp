@@ -165,6 +165,10 @@ std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of, 
     return turned_blank_text(hints.turned, {radius, least.z, most.z}, margin);
   }
   double top = std::round((highest - zero.z) * 1000) / 1000 + 0.0;
+  if (hints.box && hints.box->cylinder) {
+    const auto& [diameter, low, high] = *hints.box->cylinder;
+    return fmt::format("cylinder:0,0,{:g},{:g},{:g}", low, high, diameter);
+  }
   if (hints.box) return box_text(placed_box(hints.box->size, {least, most}, top));
   if (!(top > bottom)) top = bottom + 1;
   return fmt::format("box:{:g},{:g},{:g},{:g},{:g},{:g}", down(blank.least.x - zero.x), down(blank.least.y - zero.y), bottom,

@@ -1,7 +1,11 @@
 #pragma once
 // FrameDialect: where a control stores its coordinate systems, and in which unit. One of the interfaces of a Dialect (control/dialect.h).
 
+#include <map>
+#include <string>
+
 #include "base/vec.h"
+#include "config/setup/setup.h"
 
 namespace kadr {
 
@@ -23,6 +27,9 @@ class FrameDialect {
   virtual double machine_unit() const { return 1; }
   /// Returns true if G20 and G21 are allowed during cutter compensation.
   virtual bool units_may_change() const { return false; }
+  /// Returns the programming frame in work coordinates: `origin`, `x`, `y`, `z`; empty if it is the work system. Only for a control without
+  /// a MachineInterface, whose run_state() has the frame.
+  virtual std::map<std::string, AxisValues> programming_frame(const BlockContext&) const { return {}; }
   /// Converts positions for display: the position of each axis that rolls over is reduced to one revolution.
   virtual void roll(const BlockContext& m, Axes& positions) const;
 };

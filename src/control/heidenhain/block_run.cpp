@@ -23,7 +23,10 @@ bool among(const int (&list)[n], double code) {
   return std::find(std::begin(list), std::end(list), code) != std::end(list);
 }
 
-bool moves(KlartextKind kind) { return kind >= KlartextKind::line && kind <= KlartextKind::departure && kind != KlartextKind::centre; }
+bool moves(KlartextKind kind) {
+  return (kind >= KlartextKind::line && kind <= KlartextKind::departure && kind != KlartextKind::centre) ||
+         kind == KlartextKind::free_contour;
+}
 
 }  // namespace
 
@@ -52,10 +55,8 @@ Status BlockRun::run() {
     case KlartextKind::jump: return own_.jump(m_, read_);
     case KlartextKind::call_program:
       if (m_.modal.radius_side != 0) KADR_TRY(run_code(-40, where));
-      return own_.call_program(m_, read_.name.empty() ? own_.memory.texts[read_.target.index] : read_.name, where);
-    case KlartextKind::select_program:
-      own_.memory.selected = read_.name.empty() ? own_.memory.texts[read_.target.index] : read_.name;
-      return {};
+      return own_.call_program(m_, path_written(), where);
+    case KlartextKind::select_program: own_.memory.selected = path_written(); return {};
     case KlartextKind::call_selected: return own_.call_program(m_, own_.memory.selected, where);
     case KlartextKind::tool_call: KADR_TRY(own_.tool_call(m_, read_)); return functions(true);
     case KlartextKind::tool_definition: return own_.tool_definition(m_, read_);
@@ -89,12 +90,21 @@ Status BlockRun::run() {
     case KlartextKind::plane: return own_.plane(m_, read_);
     case KlartextKind::tip_control: return hold_tip(read_.name != "RESET");
     case KlartextKind::datum:
+      if (read_.name == "TABLE") {
+        if (has("FILE")) own_.memory.datum_table = read_.find("FILE")->text;
+        const auto row = number("TABLINE");
+        if (!row) return fail(row.error());
+        return own_.take_datum_row(m_, *row, where);
+      }
       if (read_.name != "RESET") return own_.shift_datum(m_, read_);
       own_.memory.shift = {};
       return own_.set_frame(m_);
     case KlartextKind::pattern: return own_.call_pattern(m_, read_);
-    case KlartextKind::circle_data: return fail(alarm(AlarmId::not_available, where, "CDATA"));
-    case KlartextKind::free_contour: return fail(alarm(AlarmId::not_available, where, "FK"));
+    case KlartextKind::circle_data: return own_.circle_data(m_, read_);
+    case KlartextKind::probe: return own_.define_probe(m_, read_);
+    case KlartextKind::select_table: own_.memory.datum_table = path_written(); return {};
+    case KlartextKind::select_pattern: return own_.select_points(m_, path_written(), where);
+    case KlartextKind::export_locals: return export_locals();
     case KlartextKind::not_available: return fail(alarm(AlarmId::not_available, where, std::string_view(read_.name)));
     case KlartextKind::chamfer:
     case KlartextKind::rounding:
@@ -104,6 +114,23 @@ Status BlockRun::run() {
       return {};
     default: return move();
   }
+}
+
+/// The path of CALL PGM, SEL PGM, SEL TABLE …: written, or the text of a QS parameter.
+std::string BlockRun::path_written() const { return read_.name.empty() ? own_.memory.texts[read_.target.index] : read_.name; }
+
+/// FN 37: QL parameters of a called program become those of its caller (spec/heidenhain 10.6); QS parameters are common anyway.
+Status BlockRun::export_locals() {
+  auto& calls = own_.memory.calls;
+  for (const KlartextStep& step : read_.code) {
+    if (step.family != ParameterFamily::ql) continue;
+    for (auto call = calls.rbegin(); call != calls.rend(); ++call) {
+      if (!call->of_program) continue;
+      if (step.index < call->locals.size()) call->locals[step.index] = own_.memory.ql[step.index];
+      break;
+    }
+  }
+  return {};
 }
 
 Status BlockRun::move() {
@@ -132,6 +159,7 @@ Status BlockRun::move() {
     case KlartextKind::approach: KADR_TRY(approach()); break;
     case KlartextKind::departure: KADR_TRY(departure()); break;
     case KlartextKind::cycle_call: KADR_TRY(call_at_position()); break;
+    case KlartextKind::free_contour: KADR_TRY(free_contour()); break;
     default: break;
   }
   if (has("MB") || has("MBMAX")) KADR_TRY(retract());
@@ -139,12 +167,13 @@ Status BlockRun::move() {
 }
 
 Status BlockRun::modes_before() {
-  own_.corner_rounding = own_.corner_chamfer = 0;
+  own_.corner_rounding = own_.corner_chamfer = own_.corner_feed = 0;
   own_.corner = CornerJoin::arc;
   own_.memory.feed_before = m_.modal.feed_known ? m_.modal.feed : 0;
   KADR_TRY(feed_words());
   for (const KlartextWord& word : read_.words)
-    if (word.name == word_name("M") && word.number == 97) own_.corner = CornerJoin::straight;
+    if (word.name == word_name("M") && (word.number == 97 || word.number == 98))
+      own_.corner = word.number == 97 ? CornerJoin::straight : CornerJoin::open;
   KADR_TRY(functions(false));
   KADR_TRY(side_words());
   return corner_words();
@@ -155,7 +184,7 @@ Status BlockRun::finish_motion() {
   KADR_TRY(functions(true));
   if (read_.kind == KlartextKind::stop) KADR_TRY(run_code(0, m_.block->where));
   const bool called = calls_ || (own_.memory.calls_always && moves(read_.kind));
-  return called ? own_.call_cycle(m_, m_.block->where) : Status();
+  return called ? own_.call_cycle(m_, m_.block->where, raised_) : Status();
 }
 
 Status BlockRun::feed_words() {
@@ -164,6 +193,7 @@ Status BlockRun::feed_words() {
     if (!has(name)) continue;
     if (name == "FT") return fail(alarm(AlarmId::not_available, where(name), "FT"));
     auto feed = name == "FAUTO" ? Result<double>(own_.memory.tool_feed / m_.unit_scale()) : number(name);
+    if (feed && name == "FZ") feed = own_.feed_per_turn(m_, *feed, where(name));
     if (!feed) return fail(feed.error());
     if (!(*feed > 0)) return fail(alarm(AlarmId::value_out_of_range, where(name), "F", *feed));
     m_.modal.feed = *feed * m_.unit_scale();
@@ -247,8 +277,8 @@ Status BlockRun::function_before(double code, const KlartextWord& word) {
 Status BlockRun::function_after(double code, const KlartextWord& word) {
   Memory& memory = own_.memory;
   switch (static_cast<int>(code)) {
-    case 97: return {};
-    case 98: return fail(alarm(AlarmId::not_available, word.where, "M98"));
+    case 97:
+    case 98: return {};
     case 89: memory.calls_always = true; return {};
     case 99:
       calls_ = true;

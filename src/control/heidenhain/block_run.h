@@ -55,6 +55,14 @@ class BlockRun {
   Status line_in_plane(Vec2 to, bool rapid);
   Status arc_in_plane(Vec2 to, Vec2 centre, Turn turn);
 
+  // free_contour.cpp
+  Status free_contour();
+  Status free_line(Axes to, AxisMask named, std::optional<Vec2> ahead);
+  Status free_arc(Axes to, AxisMask named, std::optional<Vec2> ahead);
+
+  std::string path_written() const;
+  Status export_locals();
+
   // cycle calls
   Status call_at_position();
 
@@ -67,6 +75,7 @@ class BlockRun {
   bool from_reference_ = false;  // M92
   bool calls_ = false;           // M99, M89
   bool untilted_ = false;        // M130
+  double raised_ = 0;            // Z of CYCL CALL POS
 };
 
 }  // namespace kadr::heidenhain

@@ -6,37 +6,18 @@
 #include <memory>
 
 #include "action/by_kind.h"
+#include "control/heidenhain/area_cycles.h"
 #include "control/heidenhain/block_run.h"
 #include "control/heidenhain/cycle_steps.h"
+#include "control/heidenhain/old_cycle_lines.h"
 
 namespace kadr::heidenhain {
 namespace {
 
 constexpr int callable[] = {1, 2, 17, 18, 200, 201, 202, 203, 205, 206, 207, 208, 209, 240, 241};
 
-bool is_callable(int cycle) { return std::find(std::begin(callable), std::end(callable), cycle) != std::end(callable); }
-
-/// Returns the last number of a line of an old cycle, such as `ABST -2` or `F80`: its text is of any language (spec/heidenhain 12.1).
-std::optional<double> last_number(const std::string& line) {
-  std::size_t end = line.find_last_of("0123456789");
-  if (end == std::string::npos) return std::nullopt;
-  std::size_t begin = end;
-  while (begin > 0 && (std::string_view("0123456789.,").find(line[begin - 1]) != std::string_view::npos)) --begin;
-  while (begin < end && (line[begin] == '.' || line[begin] == ',') && begin > 0 && line[begin - 1] >= 'A') ++begin;
-  std::string digits = line.substr(begin, end - begin + 1);
-  std::replace(digits.begin(), digits.end(), ',', '.');
-  const double value = std::strtod(digits.c_str(), nullptr);
-  std::size_t sign = begin;
-  while (sign > 0 && line[sign - 1] == ' ') --sign;
-  return sign > 0 && line[sign - 1] == '-' ? -value : value;
-}
-
-/// Returns the Q parameter that a line of an old cycle names instead of a number: `DIST Q5`; nullopt if there is none.
-std::optional<std::uint16_t> named_parameter(const std::string& line) {
-  const std::size_t at = line.find_last_of("Qq");
-  if (at == std::string::npos || at + 1 >= line.size() || line[at + 1] < '0' || line[at + 1] > '9') return std::nullopt;
-  const unsigned long index = std::strtoul(line.c_str() + at + 1, nullptr, 10);
-  return index < q_count ? std::optional(static_cast<std::uint16_t>(index)) : std::nullopt;
+bool is_callable(int cycle) {
+  return std::find(std::begin(callable), std::end(callable), cycle) != std::end(callable) || is_area_cycle(cycle);
 }
 
 }  // namespace
@@ -70,8 +51,42 @@ Status CycleSteps::execute(Emitter& m, const CycleStep& step) {
     case CycleStep::Kind::dwell: m.emit(Dwell{step.value}); return {};
     case CycleStep::Kind::spindle:
       if (step.dir == SpindleDir::position) m.emit(Spindle{step.dir, 0, 1, std::nullopt, step.angle});
-      else m.emit(Spindle{step.dir, step.dir == SpindleDir::stop ? 0 : m.modal.rpm});
+      else m.emit(Spindle{step.dir, step.dir == SpindleDir::stop ? 0 : step.value > 0 ? step.value : m.modal.rpm});
       return {};
+    case CycleStep::Kind::coolant: {
+      constexpr double flood = 8, off = 9;
+      if (step.value == flood || step.value == off) m.emit(CoolantSwitch{step.value == flood ? Coolant::flood : Coolant::off});
+      else if (step.value > 0) m.emit(MachineFunction{static_cast<std::uint32_t>(step.value), {}, {}});
+      return {};
+    }
+  }
+  return {};
+}
+
+/// The Q parameters of a definition. Those of cycles that wait for their call become the ones that the cycle has (spec/heidenhain 12.1).
+Status Heidenhain::take_parameters(BlockContext& m, const KlartextBlock& block) {
+  const bool waits = is_callable(block.number);
+  if (waits) memory.defined.reset();
+  for (const KlartextWord& word : block.words) {
+    auto read = value(m, block, word);
+    if (!read) return fail(read.error());
+    KlartextStep to;
+    to.index = static_cast<std::uint16_t>(word.name);
+    if (word.text == "MAX") *read = -1;
+    else if (word.text == "FU") *read *= m.modal.rpm;  // the speed at the definition
+    else if (word.text == "FZ") {
+      const auto per_turn = feed_per_turn(m, *read, word.where);
+      if (!per_turn) return fail(per_turn.error());
+      *read = *per_turn * m.modal.rpm;
+    } else if (word.text == "AUTO") *read = memory.tool_feed / m.unit_scale();
+    else if (word.text == "PREDEF") {
+      const auto known = memory.global_values.find(to.index);
+      if (known == memory.global_values.end()) return fail(alarm(AlarmId::variable_not_set, word.where, "PREDEF"));
+      *read = known->second;
+    }
+    if (block.part == KlartextBlock::global_definition) memory.global_values[to.index] = *read;
+    else KADR_TRY(set_parameter(to, *read));
+    if (waits && to.index < first_builder_q) memory.defined.set(to.index);
   }
   return {};
 }
@@ -83,17 +98,8 @@ Status Heidenhain::define_cycle(Interpreter& m, const KlartextBlock& block) {
   const auto refuse = [&]() -> Status {
     return fail(alarm(AlarmId::not_available, where, std::string_view("CYCL DEF " + std::to_string(cycle))));
   };
-  if (block.part < 0)  // the Q parameters of the block
-    for (const KlartextWord& word : block.words) {
-      auto read = value(m, block, word);
-      if (!read) return fail(read.error());
-      KlartextStep to;
-      to.index = static_cast<std::uint16_t>(word.name);
-      if (word.text == "MAX") *read = -1;
-      else if (word.text == "AUTO") *read = memory.tool_feed / m.unit_scale();
-      else if (word.text == "PREDEF") return fail(alarm(AlarmId::not_available, where, "PREDEF"));  // the value of GLOBAL DEF
-      KADR_TRY(set_parameter(to, *read));
-    }
+  if (block.part < 0) KADR_TRY(take_parameters(m, block));
+  if (block.part == KlartextBlock::global_definition) return {};
   switch (cycle) {
     case 7:
     case 8:
@@ -156,24 +162,19 @@ Status Heidenhain::define_cycle(Interpreter& m, const KlartextBlock& block) {
   memory.calls_always = false;
   memory.cycle = cycle;
   if (block.part < 0) return {};
-  if (block.part == 0) memory.old = {};
-  if (block.part > 0 && block.part < static_cast<std::int16_t>(memory.old.size())) {
-    double& to = memory.old[static_cast<std::size_t>(block.part)];
-    if (const auto index = named_parameter(block.text)) {
-      const auto read = parameter(m, ParameterFamily::q, *index, where);
-      if (!read) return fail(read.error());
-      to = block.text.find("-Q") != std::string::npos ? -*read : *read;
-    } else if (const auto number = last_number(block.text)) {
-      to = *number;
-    }
+  if (block.part == 0) {
+    memory.old = memory.old_feed = {};
+    memory.old_sense = {};
   }
-  return {};
+  return block.part > 0 ? take_old_line(m, block) : Status();
 }
 
-Status Heidenhain::call_cycle(Interpreter& m, Span where) {
+/// Executes the cycle in force at the position of the tool; `raised` is the shift of its surface.
+Status Heidenhain::call_cycle(Interpreter& m, Span where, double raised) {
   if (memory.cycle < 0) return fail(alarm(AlarmId::cycle_undefined, where));
   if (memory.cycle == 12) return call_program(m, memory.cycle_program, where);
   CycleMaker maker(m, *this, where);
+  maker.raise_surface(raised);
   KADR_TRY(maker.at_point());
   m.running = std::make_unique<CycleSteps>(std::move(maker.steps));
   return {};
@@ -195,6 +196,7 @@ Status BlockRun::call_at_position() {
     const std::size_t normal = plane_.normal;
     const AxisMask height = AxisMask{1} << normal;
     const bool above = m_.position.programmed[normal] >= own_.memory.q[203] * m_.unit_scale();
+    if ((named & height) != 0) raised_ = to[normal];
     for (const bool in_plane : {above, !above}) {
       const AxisMask part = in_plane ? named & ~height : named & height;
       Axes there = m_.position.programmed;

@@ -9,11 +9,11 @@
 namespace kadr::heidenhain {
 
 struct CycleStep {
-  enum class Kind : std::uint8_t { rapid, feed, arc, dwell, spindle };
+  enum class Kind : std::uint8_t { rapid, feed, arc, dwell, spindle, coolant };
   Kind kind = Kind::rapid;
   Axes to{};
   AxisMask named = 0;
-  double value = 0;  // feed in mm/min, 0: the feed in force; seconds
+  double value = 0;  // feed in mm/min, 0: the feed in force; seconds; rev/min, 0: the speed in force; number of an M function
   Vec2 centre;       // arc: counter-clockwise unless `clockwise`
   double turns = 0;
   bool clockwise = false;
@@ -53,6 +53,8 @@ class CycleMaker {
   Status polar_pattern();
   Status cartesian_pattern();
   Status points(const std::vector<Axes>& all);
+  /// Sets the shift of the surface: Z of CYCL CALL POS or of a point of a pattern (spec/heidenhain 12.1).
+  void raise_surface(double by) { raised_ = by; }
 
   std::vector<CycleStep> steps;
 
@@ -70,6 +72,7 @@ class CycleMaker {
   void dwell(double seconds);
   void spindle(SpindleDir dir, double angle = 0);
   void tap(double to, double pitch);
+  void single_lip();
   Status depth_allowed() const;
   void levels(double surface, double clearance, double depth);
   void leave();
@@ -85,7 +88,7 @@ class CycleMaker {
   BlockContext& m_;
   const Heidenhain& own_;
   Span where_;
-  double unit_;
+  double unit_, raised_ = 0;
   PlaneAxes plane_;
   Vec2 at_;
   double surface_ = 0, clearance_ = 0, second_ = 0, bottom_ = 0;  // Q203, Z1, Z2, the depth

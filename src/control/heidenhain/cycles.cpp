@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/heidenhain/area_cycles.h"
 #include "control/heidenhain/cycle_steps.h"
 
 namespace kadr::heidenhain {
 namespace {
 
-constexpr std::size_t most_steps = 100'000;
+constexpr std::size_t most_drilling_steps = 100'000;
 
 }  // namespace
 
@@ -78,7 +79,7 @@ void CycleMaker::drill() {
   const double step = length(202), depth = surface_ - bottom_;
   double reached = surface_;
   rapid(clearance_);
-  while (reached > bottom_ + tol::same_point && steps.size() < most_steps) {
+  while (reached > bottom_ + tol::same_point && steps.size() < most_drilling_steps) {
     if (reached < surface_) {
       rapid(clearance_);
       dwell(q(210));
@@ -97,7 +98,7 @@ void CycleMaker::universal() {
   double step = length(202), reached = surface_;
   int breaks = 0;
   rapid(clearance_);
-  while (reached > bottom_ + tol::same_point && steps.size() < most_steps) {
+  while (reached > bottom_ + tol::same_point && steps.size() < most_drilling_steps) {
     if (reached < surface_) {
       if (breaks < q(213)) {
         feed(reached + length(256), feed_of(206));
@@ -125,7 +126,7 @@ void CycleMaker::peck() {
   rapid(clearance_);
   if (q(379) != 0) feed(reached + length(200), feed_of(253));
   const double start = reached;
-  while (reached > bottom_ + tol::same_point && steps.size() < most_steps) {
+  while (reached > bottom_ + tol::same_point && steps.size() < most_drilling_steps) {
     if (reached < start) {
       rapid(clearance_);
       const double part = whole > 0 ? (start - reached) / whole : 0;
@@ -134,7 +135,7 @@ void CycleMaker::peck() {
     }
     const double to = step > 0 ? std::max(bottom_, reached - step) : bottom_;
     double at = reached;
-    while (length(257) > 0 && at - length(257) > to + tol::same_point && steps.size() < most_steps) {
+    while (length(257) > 0 && at - length(257) > to + tol::same_point && steps.size() < most_drilling_steps) {
       at -= length(257);
       feed(at, feed_of(206));
       feed(at + length(256), feed_of(206));
@@ -204,6 +205,33 @@ void CycleMaker::mill_bore() {
   leave();
 }
 
+/// 241: in at Q253 with the speed of entry, drilled at its own speed with coolant, out at Q208 (spec/heidenhain 12.4).
+void CycleMaker::single_lip() {
+  const double start = surface_ - std::fabs(length(379));
+  const auto turn = [&](std::size_t speed) {
+    if (!own_.memory.given(speed) || !(q(speed) > 0)) return;
+    constexpr double cw = 3, ccw = 4;
+    spindle(q(426) == ccw ? SpindleDir::ccw : q(426) == cw || speed == 428 ? SpindleDir::cw : SpindleDir::stop);
+    steps.back().value = q(speed);
+  };
+  const auto coolant = [&](std::size_t code) {
+    if (!own_.memory.given(code) || !(q(code) > 0)) return;
+    steps.emplace_back().kind = CycleStep::Kind::coolant;
+    steps.back().value = std::round(q(code));
+  };
+  rapid(clearance_);
+  turn(427);
+  if (q(379) != 0) feed(start + length(200), feed_of(253));
+  turn(428);
+  coolant(429);
+  feed(bottom_, feed_of(206));
+  dwell(q(211));
+  turn(427);
+  out(clearance_, feed_of(208), feed_of(206));
+  coolant(430);
+  leave();
+}
+
 /// 1: pecking from the present height, called at the set-up clearance (spec/heidenhain 12.8).
 void CycleMaker::old_peck() {
   const double start = m_.position.programmed[plane_.normal];
@@ -211,7 +239,7 @@ void CycleMaker::old_peck() {
   const double depth = surface - bottom;
   const double advance = depth < 30 ? 0.6 : std::min(depth / 50, 7.0);
   double reached = surface;
-  while (reached > bottom + tol::same_point && steps.size() < most_steps) {
+  while (reached > bottom + tol::same_point && steps.size() < most_drilling_steps) {
     if (reached < surface) {
       rapid(start);
       rapid(reached + advance);
@@ -233,10 +261,11 @@ Status CycleMaker::at_point() {
   const int cycle = own_.memory.cycle;
   const bool is_new = cycle >= 200;
   if (is_new) {
-    KADR_TRY(depth_allowed());
-    levels(length(203), length(200), length(201));
+    const bool has_depth = cycle != 204 && cycle != 230 && cycle != 232;
+    if (has_depth) KADR_TRY(depth_allowed());
+    levels(length(203) + raised_, length(200), length(201));
     second_ = surface_ + length(204);
-    if (q(201) == 0 && cycle != 240) return {};
+    if (q(201) == 0 && cycle != 240 && has_depth) return {};
   }
   switch (cycle) {
     case 1: old_peck(); return {};
@@ -283,7 +312,7 @@ Status CycleMaker::at_point() {
       rapid(clearance_);
       double reached = surface_;
       const double step = cycle == 209 ? length(257) : 0;
-      while (step > 0 && reached - step > bottom_ + tol::same_point && steps.size() < most_steps) {
+      while (step > 0 && reached - step > bottom_ + tol::same_point && steps.size() < most_drilling_steps) {
         reached -= step;
         tap(reached, pitch);
         tap(q(256) > 0 ? reached + length(256) : clearance_, pitch);
@@ -315,84 +344,16 @@ Status CycleMaker::at_point() {
       leave();
       return {};
     }
-    case 241: {
-      const double start = surface_ - std::fabs(length(379));
-      rapid(clearance_);
-      if (q(379) != 0) feed(start + length(200), feed_of(253));
-      feed(bottom_, feed_of(206));
-      dwell(q(211));
-      out(clearance_, feed_of(208), feed_of(206));
-      leave();
-      return {};
-    }
-    default: return fail(alarm(AlarmId::not_available, where_, std::string_view("CYCL DEF " + std::to_string(cycle))));
+    case 241: single_lip(); return {};
+    default: return AreaMaker(m_, own_, where_, at_, steps, raised_).run(cycle);
   }
 }
 
 Status CycleMaker::at_point(Vec2 point, bool at_clearance) {
   if (!at_clearance && second_ > clearance_) rapid(second_);
   in_plane(point);
-  if (steps.size() > most_steps) return fail(alarm(AlarmId::cycle_endless, where_));
+  if (steps.size() > most_drilling_steps) return fail(alarm(AlarmId::cycle_endless, where_));
   return at_point();
-}
-
-/// 220: points on a circle (spec/heidenhain 12.7).
-Status CycleMaker::polar_pattern() {
-  const double count = std::round(q(241));
-  if (!(count >= 1 && count <= 10'000)) return fail(alarm(AlarmId::value_out_of_range, where_, "Q241", count));
-  const Vec2 centre{length(216), length(217)};
-  const double radius = length(244) / 2, start = q(245);
-  const bool whole = std::fabs(std::fabs(q(246) - start) - 360) < tol::same_angle;
-  const double step = q(247) != 0 ? q(247) : whole ? 360 / count : count > 1 ? (q(246) - start) / (count - 1) : 0;
-  levels(length(203), length(200), length(201));
-  second_ = surface_ + length(204);
-  rapid(std::max(second_, clearance_));
-  for (int i = 0; i < static_cast<int>(count); ++i) {
-    const SinCos turn = sincos_deg(start + i * step);
-    KADR_TRY(at_point(centre + radius * Vec2{turn.cos, turn.sin}, i > 0 && q(301) == 0));
-    if (q(301) == 0 && i + 1 < static_cast<int>(count)) drop_last_retract();
-  }
-  return {};
-}
-
-/// 221: lines and columns, to and fro (spec/heidenhain 12.7).
-Status CycleMaker::cartesian_pattern() {
-  const double columns = std::round(q(242)), lines = std::round(q(243));
-  if (!(columns >= 1 && lines >= 1 && columns * lines <= 10'000))
-    return fail(alarm(AlarmId::value_out_of_range, where_, "Q242", columns * lines));
-  const Vec2 start{length(225), length(226)};
-  levels(length(203), length(200), length(201));
-  second_ = surface_ + length(204);
-  rapid(std::max(second_, clearance_));
-  int done = 0;
-  for (int line = 0; line < static_cast<int>(lines); ++line)
-    for (int i = 0; i < static_cast<int>(columns); ++i, ++done) {
-      const int column = line % 2 == 0 ? i : static_cast<int>(columns) - 1 - i;
-      KADR_TRY(at_point(start + rotated(Vec2{column * length(237), line * length(238)}, q(224)), done > 0 && q(301) == 0));
-      if (q(301) == 0 && done + 1 < static_cast<int>(columns * lines)) drop_last_retract();
-    }
-  return {};
-}
-
-/// CYCL CALL PAT: the points of PATTERN DEF, in their order (spec/heidenhain 12.7).
-Status CycleMaker::points(const std::vector<Axes>& all) {
-  const double high = m_.position.programmed[plane_.normal];
-  for (const Axes& point : all) {
-    levels(length(203), length(200), length(201));
-    second_ = surface_ + length(204);
-    const double clear = std::max(high, second_);
-    if (&point != &all.front()) rapid(clear);
-    in_plane({point[0], point[1]});
-    KADR_TRY(at_point());
-  }
-  return {};
-}
-
-/// The way to the second set-up clearance, which Q301 = 0 leaves out between two points.
-void CycleMaker::drop_last_retract() {
-  if (second_ > clearance_ + tol::same_point && !steps.empty() && steps.back().kind == CycleStep::Kind::rapid &&
-      steps.back().to[plane_.normal] == second_)
-    steps.pop_back();
 }
 
 }  // namespace kadr::heidenhain

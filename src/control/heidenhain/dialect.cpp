@@ -72,6 +72,7 @@ Status Heidenhain::restore(BlockContext&, const DialectState& from) {
   written_.clear();
   indices_.clear();
   read_.clear();
+  loop_lines_.forget_all();
   return {};
 }
 
@@ -94,6 +95,7 @@ void Heidenhain::take_setup(Emitter& m, const Setup& setup) {
   for (const auto& [tool, offset] : setup.offsets) table_.insert(static_cast<std::uint32_t>(tool));
   for (const auto& [name, value] : setup.variables)
     if (const auto named = parameter_named(name); named && value) family(named->family)[named->index] = *value;
+  read_tool_table(m);
   take_kinematics(m, setup);
   m.modal.offset_number = m.modal.tool;
   m.change_frames();
@@ -112,9 +114,10 @@ bool Heidenhain::needs_text(const BlockContext& m) const {
 Result<bool> Heidenhain::takes_block(Interpreter& m) {
   kept_ = false;
   previous_ = m.position.work;
-  corner_rounding = corner_chamfer = 0;
+  corner_rounding = corner_chamfer = corner_feed = 0;
   corner = CornerJoin::arc;
   const bool is_text = m.block->statement.kind == StatementKind::klartext;
+  loop_lines_.note_block(m.flow.depth(), m.origin.calls);
   if (!is_text && m.block->word_count == 0) return false;
   if (!is_text && !needs_text(m)) {
     for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -220,7 +223,6 @@ bool Heidenhain::end_program(Interpreter& m) {
   memory.repeats.clear();
   m.flow.frames().clear();
   reset_frames();
-  if (memory.tilted) untilt(m);
   memory.plunge = 0;
   memory.edge_feed = EdgeFeed::none;
   memory.shortest = memory.holds_tip = memory.calls_always = memory.feed_per_turn = false;
@@ -279,6 +281,7 @@ void Heidenhain::emit_arc(Emitter& m, Turn turn, const PlaneArc& arc, const Axes
 /// Adds the corner behind the block to its motion, and notes the direction for CT and DEP.
 void Heidenhain::note_motion(Emitter& m, Motion& motion) {
   m.modal.corner_join = corner;
+  motion.corner_first = true;
   if (m.modal.contour != CompensationPhase::off) note_compensation(m, motion, m.moved_from);
   const AxisMask plane = AxisMask{1} << motion.first | AxisMask{1} << motion.second;
   const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::rapid || is_arc(motion.kind);
@@ -290,6 +293,7 @@ void Heidenhain::note_motion(Emitter& m, Motion& motion) {
   if (cuts && (motion.named & plane) != 0 && (corner_rounding > 0 || corner_chamfer > 0)) {
     CornerData at_end;
     at_end.rounding = corner_rounding * m.transform.corner_scale(m.modal.axes);
+    at_end.feed = corner_feed;
     at_end.chamfer = corner_chamfer * m.transform.corner_scale(m.modal.axes);
     own().contour = at_end;
   }
@@ -329,6 +333,17 @@ void Heidenhain::note_line(BlockContext& m) {
   memory.has_direction = true;
   previous_[plane.first] = now[plane.first];
   previous_[plane.second] = now[plane.second];
+}
+
+/// The tilted plane, which stays in force after the end of the program.
+std::map<std::string, AxisValues> Heidenhain::programming_frame(const BlockContext& m) const {
+  if (!memory.tilted) return {};
+  const auto named = [&](Vec3 v) { return AxisValues{{m.axis_names[0], v.x}, {m.axis_names[1], v.y}, {m.axis_names[2], v.z}}; };
+  const Axes& origin = memory.tilt_origin;
+  return {{"origin", named({origin[0], origin[1], origin[2]})},
+          {"x", named(memory.tilt.column(0))},
+          {"y", named(memory.tilt.column(1))},
+          {"z", named(memory.tilt.column(2))}};
 }
 
 AxisMask Heidenhain::rolling_axes(const BlockContext& m) const {

@@ -137,6 +137,8 @@ Result<double> Heidenhain::evaluate(BlockContext& m, const KlartextBlock& block,
 Status Heidenhain::set_parameter(const KlartextStep& to, double value) {
   double& place = family(to.family)[to.index];
   note_written(to.family, to.index, place);
+  // A line Q200=… behind a definition without ~ belongs to the definition (spec/heidenhain 1.2).
+  if (to.family == ParameterFamily::q && to.index >= 200 && to.index < first_builder_q && memory.cycle >= 200) memory.defined.set(to.index);
   place = value;
   return {};
 }

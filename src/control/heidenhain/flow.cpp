@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/ascii.h"
+#include "config/read_file.h"
 #include "control/heidenhain/heidenhain.h"
 
 namespace kadr::heidenhain {
@@ -32,7 +33,35 @@ std::string changed(std::string text, char (*how)(char)) {
 }
 char to_lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; }
 
+/// Returns the names under which a file may be: as written, or its last part, from the folder of the calling program, of the main program
+/// and from the root, in all cases of its letters. `ending` is added to a name that has none.
+std::vector<std::string> names_of(const BlockContext& m, const std::string& path, const std::string& ending) {
+  const std::string plain = plain_path(path);
+  const std::size_t slash = plain.find_last_of('/');
+  const std::string last = slash == std::string::npos ? plain : plain.substr(slash + 1);
+  const bool has_ending = last.find('.') != std::string::npos;
+  std::vector<std::string> all;
+  for (const std::string& folder : {folder_of(m.program().file()), folder_of(m.program().main_file()), std::string()})
+    for (const std::string& name : {plain, last})
+      for (const std::string& cased : {name, changed(name, to_upper), changed(name, to_lower)}) {
+        all.push_back(folder + cased + (has_ending ? "" : ending));
+        if (!has_ending) all.push_back(folder + cased + changed(ending, to_lower));
+      }
+  return all;
+}
+
 }  // namespace
+
+/// Returns the text of a table of datums or points (spec/heidenhain 11.2, 12.7).
+///   alarms  file_missing
+Result<std::string> Heidenhain::read_table(const BlockContext& m, const std::string& path, Span where) const {
+  const RunLimits& limits = m.program().limits();
+  constexpr std::size_t most_bytes = 4U << 20U;
+  if (!limits.files.empty() && !plain_path(path).empty())
+    for (const std::string& name : names_of(m, path, ".D"))
+      if (auto text = read_file(limits.files + "/" + name, most_bytes, limits.door)) return *std::move(text);
+  return fail(alarm(AlarmId::file_missing, where, std::string_view(path)));
+}
 
 const ProgramIndex& Heidenhain::index(const BlockContext& m, std::uint16_t reader) {
   if (indices_.size() <= reader) indices_.resize(reader + 1U);
@@ -55,6 +84,7 @@ Status Heidenhain::call_label(Interpreter& m, const KlartextBlock& block) {
   const auto* const label = index(m).label(name);
   if (label == nullptr) return fail(alarm(AlarmId::label_missing, block.where, std::string_view(name)));
   if (label->twice) return fail(alarm(AlarmId::label_twice, block.where, std::string_view(name)));
+  loops_ = true;
   if (block.part < 0) {
     CallFrame frame;
     frame.kind = CallFrame::Kind::subprogram;
@@ -109,6 +139,7 @@ Status Heidenhain::jump(Interpreter& m, const KlartextBlock& block) {
   if (name.empty()) name = block.target.family == ParameterFamily::qs ? '"' + memory.texts[block.target.index] : std::string();
   const auto* const label = index(m).label(name);
   if (label == nullptr) return fail(alarm(AlarmId::label_missing, block.where, std::string_view(name)));
+  loops_ = true;
   m.flow.jump(label->at);
   return {};
 }
@@ -116,19 +147,10 @@ Status Heidenhain::jump(Interpreter& m, const KlartextBlock& block) {
 /// CALL PGM: the program is looked for as written from the root of the program memory, then in the folders of the calling and of the main
 /// program; upper and lower case are the same (spec/heidenhain 9.4).
 Status Heidenhain::call_program(Interpreter& m, const std::string& path, Span where) {
-  const std::string plain = plain_path(path);
-  if (plain.empty()) return fail(alarm(AlarmId::program_name_missing, where, "CALL PGM"));
+  if (plain_path(path).empty()) return fail(alarm(AlarmId::program_name_missing, where, "CALL PGM"));
   std::optional<std::uint16_t> found;
-  const std::size_t slash = plain.find_last_of('/');
-  const std::string last = slash == std::string::npos ? plain : plain.substr(slash + 1);
-  const bool has_ending = last.find('.') != std::string::npos;
-  for (const std::string& folder : {folder_of(m.program().file()), folder_of(m.program().main_file()), std::string()})
-    for (const std::string& name : {plain, last})
-      for (const std::string& cased : {name, changed(name, to_upper), changed(name, to_lower)})
-        for (const char* const ending : {".H", ".h"}) {
-          if (found) break;
-          found = m.flow.open_program(folder + cased + (has_ending ? "" : ending));
-        }
+  for (const std::string& name : names_of(m, path, ".H"))
+    if (!found) found = m.flow.open_program(name);
   if (!found) return fail(alarm(AlarmId::program_missing, where, std::string_view(path)));
   CallFrame frame;
   frame.kind = CallFrame::Kind::subprogram;
@@ -171,9 +193,14 @@ Status Heidenhain::end_of_program(Interpreter& m, Span where) {
 
 /// A called program without END PGM ends with its file.
 Result<bool> Heidenhain::finish(Interpreter& m) {
-  if (m.program().in_entered() || m.program().depth() == 0) return false;
+  if (memory.probing) {
+    KADR_TRY(continue_probing(m));
+    return true;
+  }
   const std::uint16_t reader = m.program().reader();
-  if (m.program().position().offset < m.program().file(reader).reader().size()) return false;
+  if (m.program().in_entered()) return false;
+  if (m.program().depth() == 0 || m.program().position().offset < m.program().file(reader).reader().size())
+    return loops_ && memory.begun && m.runs_unseen() && loop_lines_.run(m);
   while (!memory.calls.empty()) {
     const bool of_program = memory.calls.back().of_program;
     KADR_TRY(leave(m, {}));

@@ -42,7 +42,11 @@ void Heidenhain::reset_frames() {
 /// Cycle 7.n, TRANS DATUM AXIS: each named axis gets its shift, or adds to it.
 Status Heidenhain::shift_datum(Emitter& m, const KlartextBlock& block) {
   for (const KlartextWord& word : block.words) {
-    if (word.name == word_name("#")) return fail(alarm(AlarmId::not_available, word.where, "CYCL DEF 7 #"));
+    if (word.name == word_name("#")) {
+      const auto row = value(m, block, word);
+      if (!row) return fail(row.error());
+      return take_datum_row(m, *row, word.where);
+    }
     for (std::size_t a = 0; a < m.axis_count; ++a) {
       if (word.name != word_name(m.axis_names[a])) continue;
       const auto read = value(m, block, word);

@@ -12,6 +12,7 @@
 
 #include "control/block/arc.h"
 #include "control/dialect.h"
+#include "control/heidenhain/loop_lines.h"
 #include "control/heidenhain/memory.h"
 #include "control/heidenhain/program_index.h"
 #include "control/interpreter.h"
@@ -45,7 +46,7 @@ class Heidenhain final : public Dialect {
   Result<bool> end_of_file(BlockContext& m) override;
 
   // ---- blocks
-  bool has_unfinished() const override { return !memory.calls.empty(); }
+  bool has_unfinished() const override { return loops_ || !memory.calls.empty() || memory.probing; }
   Result<bool> finish(Interpreter& m) override;
   Result<bool> statement(Interpreter&) override { return false; }
   Result<bool> takes_block(Interpreter& m) override;
@@ -60,6 +61,8 @@ class Heidenhain final : public Dialect {
   void note_line(BlockContext& m) override;
   AxisMask rolling_axes(const BlockContext& m) const override;
   void refresh_frames(Emitter& m) override;
+  std::map<std::string, AxisValues> programming_frame(const BlockContext& m) const override;
+  Status accept_answer(Emitter& m, const ProbeAnswer& answer) override;
   void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) override;
 
   // ---- used by the parts in this folder
@@ -68,6 +71,7 @@ class Heidenhain final : public Dialect {
   Axes most{};                                     // upper ends of travel of the set-up, machine coordinates
   std::uint64_t missing_axes = 0;                  // letters of axes that the machine does not have
   double corner_rounding = 0, corner_chamfer = 0;  // RND, CHF behind the block, mm
+  double corner_feed = 0;                          // F of RND, CHF, mm/min; 0: that of the element
   CornerJoin corner = CornerJoin::arc;             // M97 in the block
 
   // evaluate.cpp
@@ -82,6 +86,9 @@ class Heidenhain final : public Dialect {
   Result<double> system_value(BlockContext& m, double id, double number, double index, Span where) const;
   double tool_radius(const BlockContext& m) const;
   double tool_length(const BlockContext& m) const;
+  /// Returns the feed per revolution of a feed per tooth.
+  ///   alarms  not_available: the tool table does not have the number of teeth
+  Result<double> feed_per_turn(const BlockContext& m, double per_tooth, Span where) const;
   // flow.cpp
   const ProgramIndex& index(const BlockContext& m, std::uint16_t reader);
   const ProgramIndex& index(const BlockContext& m) { return index(m, m.program().reader()); }
@@ -89,6 +96,7 @@ class Heidenhain final : public Dialect {
   Status jump(Interpreter& m, const KlartextBlock& block);
   Status call_program(Interpreter& m, const std::string& path, Span where);
   Status leave(Interpreter& m, Span where);
+  Result<std::string> read_table(const BlockContext& m, const std::string& path, Span where) const;
   Status end_of_program(Interpreter& m, Span where);
   // tools.cpp
   Status tool_call(Interpreter& m, const KlartextBlock& block);
@@ -104,13 +112,29 @@ class Heidenhain final : public Dialect {
   void take_kinematics(const BlockContext& m, const Setup& setup);
   Status set_axis_angles(BlockContext& m, const Mat3& to, const KlartextBlock& block);
   Status turn_axes(Interpreter& m, const KlartextBlock& block);
+  Status retract_first(Interpreter& m, const KlartextBlock& block);
+  Status take_axis_positions(BlockContext& m, const KlartextBlock& block, Mat3& to);
+  void note_axis_angles(const BlockContext& m, RotaryPair pair);
+  RotaryPair rotary_now(const BlockContext& m) const;
   Status tilt(Emitter& m, const Mat3& to);
   void untilt(Emitter& m);
   void place_in_space(Emitter& m);
   // cycles.cpp
   Status define_cycle(Interpreter& m, const KlartextBlock& block);
-  Status call_cycle(Interpreter& m, Span where);
+  Status call_cycle(Interpreter& m, Span where, double raised = 0);
+  Status take_parameters(BlockContext& m, const KlartextBlock& block);
+  Status take_old_line(BlockContext& m, const KlartextBlock& block);
   Status call_pattern(Interpreter& m, const KlartextBlock& block);
+  // tables.cpp
+  void read_tool_table(BlockContext& m);
+  Status take_datum_row(Emitter& m, double row, Span where);
+  Status select_points(Emitter& m, const std::string& path, Span where);
+  // probing.cpp
+  Status define_probe(Interpreter& m, const KlartextBlock& block);
+  Status continue_probing(Interpreter& m);
+  Status finish_probing(Interpreter& m);
+  // functions.cpp
+  Status circle_data(Interpreter& m, const KlartextBlock& block);
   // motion.cpp
   void emit_arc(Emitter& m, Turn turn, const PlaneArc& arc, const Axes& end, AxisMask named, PlaneAxes plane);
 
@@ -120,6 +144,7 @@ class Heidenhain final : public Dialect {
 
  private:
   friend class BlockRun;
+  friend class LoopLines;
   struct Kept;
   bool needs_text(const BlockContext& m) const;
   Result<bool> run_text(Interpreter& m);
@@ -129,12 +154,15 @@ class Heidenhain final : public Dialect {
   const std::vector<double>& family(ParameterFamily which) const { return const_cast<Heidenhain&>(*this).family(which); }  // NOLINT
 
   std::map<std::string, std::uint32_t> names_;                                    // tools that are called by their names
+  std::map<std::uint32_t, double> teeth_;                                         // CUT of the tool table
   std::set<std::uint32_t> table_;                                                 // tools of the set-up, and of TOOL DEF
   std::unordered_map<std::uint64_t, std::shared_ptr<const KlartextBlock>> read_;  // blocks as read, by file and offset
   std::vector<std::unique_ptr<ProgramIndex>> indices_;                            // by file
   std::unique_ptr<Block> scratch_ = std::make_unique<Block>();
   std::vector<double> stack_;
   std::vector<WrittenValue> written_;
+  LoopLines loop_lines_{*this};
+  bool loops_ = false;  // the program has jumped or called, so that blocks are executed again
   Modes before_;
   bool kept_ = false;
   Axes previous_{};  // work coordinates before the motion that comes next

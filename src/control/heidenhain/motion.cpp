@@ -288,6 +288,12 @@ Status BlockRun::corner_words() {
     const auto size = own_.value(m_, *corner, *word);
     if (!size) return fail(size.error());
     (rounds ? own_.corner_rounding : own_.corner_chamfer) = std::max(0.0, *size * m_.unit_scale());
+    if (const KlartextWord* const feed = corner->find("F")) {
+      const auto value = own_.value(m_, *corner, *feed);
+      if (!value) return fail(value.error());
+      if (!(*value > 0)) return fail(alarm(AlarmId::value_out_of_range, m_.block->where, "F", *value));
+      own_.corner_feed = *value * m_.unit_scale();
+    }
   }
   return {};
 }

@@ -16,6 +16,12 @@ double Heidenhain::tool_length(const BlockContext& m) const {
   return own + memory.delta_length;
 }
 
+Result<double> Heidenhain::feed_per_turn(const BlockContext& m, double per_tooth, Span where) const {
+  const auto teeth = teeth_.find(m.modal.tool);
+  if (teeth == teeth_.end() || !(teeth->second > 0)) return fail(alarm(AlarmId::not_available, where, "FZ"));
+  return per_tooth * teeth->second;
+}
+
 Result<double> Heidenhain::parameter(const BlockContext& m, ParameterFamily which, std::uint16_t index, Span where) const {
   const double value = family(which)[index];
   if (which == ParameterFamily::q && index >= 108 && index <= 114) {

@@ -90,9 +90,19 @@ Status Heidenhain::plane(Interpreter& m, const KlartextBlock& block) {
     if (block.find("SPA") != nullptr) to = to * Mat3::about({1, 0, 0}, number("SPA"));
     else if (block.find("SPB") != nullptr) to = to * Mat3::about({0, 1, 0}, number("SPB"));
     else to = to * Mat3::about({0, 0, 1}, number("SPC"));
-  } else if (block.name == "VECTOR" || block.name == "POINTS") {
+  } else if (block.name == "AXIAL") {
+    KADR_TRY(retract_first(m, block));
+    KADR_TRY(take_axis_positions(m, block, to));
+    KADR_TRY(tilt(m, to));
+    return moves ? turn_axes(m, block) : Status();
+  } else if (block.name == "VECTOR" || block.name == "POINTS" || block.name == "PROJECTED") {
     Vec3 x, z;
-    if (block.name == "VECTOR") {
+    if (block.name == "PROJECTED") {
+      // The lines in which the plane meets ZX and YZ rise with positive angles; X lies above the line in ZX, turned by ROT (INFERRED).
+      const SinCos one = sincos_deg(number("PROPR")), two = sincos_deg(number("PROMIN"));
+      x = {one.cos, 0, one.sin};
+      z = cross(x, Vec3{0, two.cos, two.sin});
+    } else if (block.name == "VECTOR") {
       x = {number("BX"), number("BY"), number("BZ")};
       z = {number("NX"), number("NY"), number("NZ")};
     } else {
@@ -106,12 +116,76 @@ Status Heidenhain::plane(Interpreter& m, const KlartextBlock& block) {
     if (!(size(x) > tol::same_point)) return fail(alarm(AlarmId::plane_degenerate, block.where));
     x = 1 / size(x) * x;
     to = Mat3::of_columns(x, cross(z, x), z);
+    if (block.name == "PROJECTED") to = to * Mat3::about({0, 0, 1}, number("ROT"));
   } else {
     return fail(alarm(AlarmId::not_available, block.where, std::string_view("PLANE " + block.name)));
   }
+  KADR_TRY(retract_first(m, block));
   KADR_TRY(set_axis_angles(m, to, block));
   KADR_TRY(tilt(m, to));
   return moves ? turn_axes(m, block) : Status();
+}
+
+/// TURN MB 50: the tool goes back along its axis before the rotary axes turn (spec/heidenhain 13.2).
+Status Heidenhain::retract_first(Interpreter& m, const KlartextBlock& block) {
+  const KlartextWord* const word = block.find("MB");
+  if (block.find("MBMAX") != nullptr) {
+    const std::size_t axis = m.modal.axes.normal;
+    if (!(most[axis] < 1e300)) return fail(alarm(AlarmId::not_available, block.where, "MB MAX"));
+    Axes to = m.position.machine;
+    to[axis] = most[axis];
+    return m.to_machine(MotionKind::rapid, to, AxisMask{1} << axis, 0);
+  }
+  if (word == nullptr) return {};
+  const auto by = value(m, block, *word);
+  if (!by) return fail(by.error());
+  if (five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, block.where, "PLANE"));
+  const Vec3 way = *by * m.unit_scale() * (five_axis.head_turn(rotary_now(m)) * five_axis.tool);
+  Axes to = m.position.machine;
+  to[0] += way.x, to[1] += way.y, to[2] += way.z;
+  return m.to_machine(MotionKind::rapid, to, 7U, 0);
+}
+
+RotaryPair Heidenhain::rotary_now(const BlockContext& m) const {
+  const auto at = [&](const RotaryJoint& joint) {
+    return joint.axis >= 0 ? m.position.machine[static_cast<std::size_t>(joint.axis)] : 0.0;
+  };
+  return {at(five_axis.first), at(five_axis.second)};
+}
+
+/// PLANE AXIAL: the plane that the positions of the rotary axes give; one that is not named stays where it is.
+///   alarms  no_five_axes; not_available: a word of an axis that the machine does not have
+Status Heidenhain::take_axis_positions(BlockContext& m, const KlartextBlock& block, Mat3& to) {
+  if (five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, block.where, "PLANE AXIAL"));
+  RotaryPair pair = rotary_now(m);
+  for (const KlartextWord& word : block.words)
+    for (const char letter : {'A', 'B', 'C'}) {
+      if (word.name != word_name(std::string_view(&letter, 1))) continue;
+      const auto read = value(m, block, word);
+      if (!read) return fail(read.error());
+      bool known = false;
+      for (const bool first : {true, false}) {
+        const RotaryJoint& joint = first ? five_axis.first : five_axis.second;
+        if (joint.axis < 0 || m.def.axes[static_cast<std::size_t>(joint.axis)][0] != letter) continue;
+        (first ? pair.first : pair.second) = *read;
+        known = true;
+      }
+      if (!known) return fail(alarm(AlarmId::not_available, word.where, letter));
+    }
+  to = transposed(five_axis.table_turn(pair, {})) * five_axis.head_turn(pair);
+  note_axis_angles(m, pair);
+  return {};
+}
+
+/// Sets Q120 to Q122.
+void Heidenhain::note_axis_angles(const BlockContext& m, RotaryPair pair) {
+  for (std::size_t i = 0; i < 3; ++i) memory.q[120 + i] = 0;
+  memory.tilt_at = pair;
+  for (const auto& [joint, angle] : {std::pair(&five_axis.first, pair.first), std::pair(&five_axis.second, pair.second)}) {
+    if (joint->axis < 0) continue;
+    const char letter = m.def.axes[static_cast<std::size_t>(joint->axis)][0];
+    if (letter >= 'A' && letter <= 'C') memory.q[120 + static_cast<std::size_t>(letter - 'A')] = angle;
+  }
 }
 
 /// Takes the rotary axes of the set-up (the key `kinematics`).
@@ -152,10 +226,7 @@ Status Heidenhain::set_axis_angles(BlockContext& m, const Mat3& to, const Klarte
   memory.tilt_at.reset();
   if (five_axis.group == MachineGroup::none) return {};
   const Vec3 normal = to.column(2);
-  const auto at = [&](const RotaryJoint& joint) {
-    return joint.axis >= 0 ? m.position.machine[static_cast<std::size_t>(joint.axis)] : 0.0;
-  };
-  const RotaryPair present{at(five_axis.first), at(five_axis.second)};
+  const RotaryPair present = rotary_now(m);
   const RotarySolutions all = five_axis.solutions(normal);
   if (all.count == 0) return fail(alarm(AlarmId::direction_unreachable, block.where, normal.x, normal.y, normal.z));
   std::optional<RotaryPair> chosen = five_axis.chosen(normal, present);
@@ -168,19 +239,13 @@ Status Heidenhain::set_axis_angles(BlockContext& m, const Mat3& to, const Klarte
       if ((pair.first < 0) == (sign->number < 0)) chosen = pair;
     }
   if (!chosen) return fail(alarm(AlarmId::direction_unreachable, block.where, normal.x, normal.y, normal.z));
-  memory.tilt_at = *chosen;
-  for (const auto& [joint, angle] : {std::pair(&five_axis.first, chosen->first), std::pair(&five_axis.second, chosen->second)}) {
-    if (joint->axis < 0) continue;
-    const char letter = m.def.axes[static_cast<std::size_t>(joint->axis)][0];
-    if (letter >= 'A' && letter <= 'C') memory.q[120 + static_cast<std::size_t>(letter - 'A')] = angle;
-  }
+  note_axis_angles(m, *chosen);
   return {};
 }
 
 /// TURN: the rotary axes go to the positions of the plane.
 Status Heidenhain::turn_axes(Interpreter& m, const KlartextBlock& block) {
   if (five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, block.where, "PLANE"));
-  if (block.find("MOVE") != nullptr) return fail(alarm(AlarmId::not_available, block.where, "PLANE MOVE"));
   Axes to = m.position.machine;
   AxisMask named = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -190,6 +255,22 @@ Status Heidenhain::turn_axes(Interpreter& m, const KlartextBlock& block) {
     named |= AxisMask{1} << a;
   }
   if (named == 0) return {};
+  if (block.find("MOVE") != nullptr) {
+    // The tool stays where it is relative to a point of the part, DIST below the tip (INFERRED; the sense of DIST in spec/heidenhain 13.2).
+    const KlartextWord* const word = block.find("DIST");
+    const auto distance = word == nullptr ? Result<double>(0.0) : value(m, block, *word);
+    if (!distance) return fail(distance.error());
+    const double by = *distance * m.unit_scale();
+    const RotaryPair before = rotary_now(m);
+    const RotaryPair after{five_axis.first.axis < 0 ? 0 : to[static_cast<std::size_t>(five_axis.first.axis)],
+                           five_axis.second.axis < 0 ? 0 : to[static_cast<std::size_t>(five_axis.second.axis)]};
+    const Vec3 length = in_space(m.frames.length);
+    const Vec3 tip = five_axis.point_in_part(before, in_space(m.position.machine) - five_axis.length_vector(before, length));
+    const Vec3 there = tip - by * five_axis.direction(before) + by * five_axis.direction(after);
+    const Vec3 end = five_axis.point_on_machine(after, there) + five_axis.length_vector(after, length);
+    to[0] = end.x, to[1] = end.y, to[2] = end.z;
+    named |= 7U;
+  }
   const KlartextWord* const feed = block.find("F");
   const auto rate = feed == nullptr ? Result<double>(0.0) : value(m, block, *feed);
   if (!rate) return fail(rate.error());

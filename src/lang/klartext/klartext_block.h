@@ -120,9 +120,13 @@ enum class KlartextKind : std::uint8_t {
   tip_control,  // FUNCTION TCPM, FUNCTION RESET TCPM
   datum,        // TRANS DATUM
   pattern,
-  free_contour,   // FL, FC …
-  passed_over,    // accepted, without an effect on the run
-  not_available,  // `name` says what
+  free_contour,    // FL, FC …
+  probe,           // TCH PROBE
+  select_table,    // SEL TABLE
+  select_pattern,  // SEL PATTERN
+  export_locals,   // FN 37
+  passed_over,     // accepted, without an effect on the run
+  not_available,   // `name` says what
 };
 
 /// A piece of a text value (spec/heidenhain 10.7).
@@ -142,6 +146,8 @@ struct PatternRow {
 };
 
 struct KlartextBlock {
+  static constexpr std::int16_t global_definition = -2;  // `part` of GLOBAL DEF
+
   KlartextKind kind = KlartextKind::words;
   std::string name;          // label; path of a program; name of a refused statement; form of APPR, PLANE
   std::uint16_t number = 0;  // cycle, FN

@@ -143,6 +143,7 @@ Status KlartextFunctions::function() {
   }
   if (n == 18) return system_value();
   if (n == 23 || n == 24) return circle_data();
+  if (n == 37) return exported();
   if (n == 19 || n == 20 || n == 29 || n == 38) return name_of(KlartextKind::passed_over, {});
   return name_of(KlartextKind::not_available, "FN " + std::to_string(n));
 }
@@ -236,6 +237,19 @@ Status KlartextFunctions::system_value() {
     if (!*read) return syntax();
     block_.words.push_back(std::move(word));
   }
+  return {};
+}
+
+/// FN 37: EXPORT QL5 QL6: parameters of a called program that its caller gets.
+Status KlartextFunctions::exported() {
+  block_.kind = KlartextKind::export_locals;
+  if (!take("EXPORT")) return syntax();
+  do {
+    const auto step = parameter();
+    if (!step) return fail(step.error());
+    block_.code.push_back(*step);
+    (void)take(",");
+  } while (!at_end());
   return {};
 }
 

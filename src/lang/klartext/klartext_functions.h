@@ -29,6 +29,7 @@ class KlartextFunctions : public KlartextWords {
   Status condition();
   Status system_value();
   Status circle_data();
+  Status exported();
 };
 
 }  // namespace kadr

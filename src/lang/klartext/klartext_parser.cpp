@@ -2,12 +2,10 @@
 
 #include "lang/klartext/klartext_parser.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "lang/block/grammar.h"
-#include "lang/klartext/klartext_functions.h"
+#include "lang/klartext/klartext_cycles.h"
 
 namespace kadr {
 namespace {
@@ -22,17 +20,14 @@ constexpr Motion motions[] = {
     {"CT", KlartextKind::tangent_circle}, {"CP", KlartextKind::polar_circle},  {"C", KlartextKind::circle}};
 
 /// Statements that change neither the path nor the time of a run: the mode in which a mill works anyway, the counter of parts.
-constexpr std::string_view passed_over[] = {"FUNCTION MODE MILL", "FUNCTION PROG PATH OFF", "FUNCTION COUNT", "PATTERN CLEAR", "POLARKIN OFF"};
+constexpr std::string_view passed_over[] = {"FUNCTION MODE MILL", "FUNCTION PROG PATH OFF", "FUNCTION COUNT", "PATTERN CLEAR",
+                                            "POLARKIN OFF"};
 
 constexpr std::string_view refused[] = {"SPL",
-                                        "TCH PROBE",
                                         "SEL CONTOUR",
                                         "CONTOUR DEF",
-                                        "SEL PATTERN",
                                         "SQL",
                                         "CALL SELECTED CONTOUR",
-                                        "SEL TABLE",
-                                        "GLOBAL DEF",
                                         "POLARKIN",
                                         "FUNCTION MODE",
                                         "FUNCTION PROG PATH",
@@ -41,9 +36,9 @@ constexpr std::string_view refused[] = {"SPL",
                                         "FUNCTION S-PULSE",
                                         "FUNCTION"};
 
-class KlartextParser : public KlartextFunctions {
+class KlartextParser : public KlartextCycles {
  public:
-  using KlartextFunctions::KlartextFunctions;
+  using KlartextCycles::KlartextCycles;
 
   Status run() {
     skip();
@@ -55,7 +50,7 @@ class KlartextParser : public KlartextFunctions {
     }
     if (const auto done = keyword()) return *done;
     for (const std::string_view name : {"FLT", "FL", "FCT", "FC", "FPOL", "FSELECT"})
-      if (take(name)) return name_of(KlartextKind::free_contour, "FK");
+      if (take(name)) return free_contour(name);
     for (const Motion& motion : motions)
       if (take(motion.text)) {
         block_.kind = motion.kind;
@@ -83,6 +78,10 @@ class KlartextParser : public KlartextFunctions {
     if (take_spaced("TOOL CALL")) return tool(KlartextKind::tool_call);
     if (take_spaced("TOOL DEF")) return tool(KlartextKind::tool_definition);
     if (take_spaced("CYCL DEF") || take_spaced("CYCLE DEF")) return cycle();
+    if (take_spaced("GLOBAL DEF")) return global_definition();
+    if (take_spaced("TCH PROBE")) return probe();
+    if (take_spaced("SEL TABLE")) return path(KlartextKind::select_table);
+    if (take_spaced("SEL PATTERN")) return path(KlartextKind::select_pattern);
     if (take_spaced("CYCL CALL") || take_spaced("CYCLE CALL")) return cycle_call();
     if (take_spaced("CALL LBL")) return call_label();
     if (take_spaced("CALL PGM")) return path(KlartextKind::call_program);
@@ -164,96 +163,6 @@ class KlartextParser : public KlartextFunctions {
     return words(Names::tool, block_.words);
   }
 
-  /// CYCL DEF 7.1 X+60, CYCL DEF 200 NAME ~ Q200=2 … (spec/heidenhain 12.1).
-  Status cycle() {
-    block_.kind = KlartextKind::cycle_definition;
-    skip();
-    std::uint32_t number = 0;
-    const std::size_t begin = at_;
-    for (; is_digit(peek()) && number < 10'000; ++at_) number = number * 10 + static_cast<std::uint32_t>(peek() - '0');
-    if (at_ == begin) return syntax();
-    block_.number = static_cast<std::uint16_t>(number);
-    skip();
-    if (peek() == '.' && is_digit(peek(1))) {
-      ++at_;
-      block_.part = 0;
-      for (; is_digit(peek()) && block_.part < 100; ++at_) block_.part = static_cast<std::int16_t>(block_.part * 10 + (peek() - '0'));
-      std::string_view rest = text_.substr(at_);
-      block_.text = std::string(rest.substr(0, rest.find(';')));
-      return block_.part == 0 ? Status() : cycle_line();
-    }
-    while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '~' && text_[at_] != ';') {
-      if (at_parameter() && is_assignment()) break;
-      ++at_;
-    }
-    return cycle_parameters();
-  }
-
-  bool is_assignment() const {
-    std::size_t look = 1;
-    while (is_digit(peek(look)) || peek(look) == ' ') ++look;
-    return peek(look) == '=';
-  }
-
-  /// The numbers of a line of an old cycle: axes where it has them, else the last number of the line (spec/heidenhain 12.1).
-  Status cycle_line() {
-    constexpr std::uint16_t by_axes[] = {7, 8, 10, 11, 19, 26, 32, 247};
-    if (std::find(std::begin(by_axes), std::end(by_axes), block_.number) != std::end(by_axes)) return axis_words();
-    return {};
-  }
-
-  Status axis_words() {
-    constexpr std::string_view names[] = {"IX",  "IY",   "IZ",  "IA",  "IB",   "IC",   "IU",        "IV", "IW", "CCX", "CCY",
-                                          "CCZ", "IROT", "ROT", "SCL", "ABST", "DIST", "HSC-MODE:", "TA", "X",  "Y",   "Z",
-                                          "A",   "B",    "C",   "U",   "V",    "W",    "T",         "F",  "#"};
-    while (!at_end()) {
-      std::string_view best;
-      for (const std::string_view each : names)
-        if (each.size() > best.size() && looks_like(each)) best = each;
-      if (best.empty()) return {};  // a text in the language of the control
-      const std::size_t begin = at_;
-      at_ += best.size();
-      KlartextWord word;
-      word.incremental = best.size() > 1 && best[0] == 'I';
-      word.name = word_name(word.incremental ? best.substr(1) : best);
-      const auto read = value(word.number, word.value);
-      if (!read) return fail(read.error());
-      word.bare = !*read;
-      word.where = span(begin, at_);
-      block_.words.push_back(std::move(word));
-    }
-    return {};
-  }
-
-  Status cycle_parameters() {
-    while (!at_end()) {
-      const std::size_t begin = at_;
-      auto step = parameter();
-      if (!step) return fail(step.error());
-      if (!take("=")) return syntax();
-      KlartextWord word;
-      word.name = step->index;
-      skip();
-      if (take_prefix("FU") || take_prefix("FZ")) word.text = "F";
-      if (take("MAX")) word.text = "MAX";
-      else if (take("AUTO")) word.text = "AUTO";
-      else if (take("PREDEF")) word.text = "PREDEF";
-      else if (peek() == '"') {
-        auto text = quoted();
-        if (!text) return fail(text.error());
-        word.text = "\"";
-      } else {
-        const auto read = value(word.number, word.value);
-        if (!read) return fail(read.error());
-        if (!*read) return syntax();
-      }
-      word.where = span(begin, at_);
-      block_.words.push_back(std::move(word));
-      if (block_.words.size() > 200) return fail(alarm(AlarmId::too_many_words, word.where, 200.0));
-    }
-    return {};
-  }
-
   Status cycle_call() {
     block_.kind = KlartextKind::cycle_call;
     if (take("POS")) block_.part = 1;
@@ -310,6 +219,14 @@ class KlartextParser : public KlartextFunctions {
     return words(Names::motion, block_.words);
   }
 
+  /// FK: the words of an element; a form that Kadr does not solve is refused as a whole (spec/heidenhain 14).
+  Status free_contour(std::string_view form) {
+    if (form == "FPOL" || form == "FSELECT") return name_of(KlartextKind::not_available, "FK");
+    KADR_TRY(name_of(KlartextKind::free_contour, form));
+    const Status read = words(Names::free, block_.words);
+    return !read && read.error().id == AlarmId::name_unknown ? name_of(KlartextKind::not_available, "FK") : read;
+  }
+
   Status approach(KlartextKind kind) {
     for (const std::string_view form : {"PLCT", "PLT", "PLN", "PCT", "LCT", "LT", "LN", "CT"})
       if (take(form)) {
@@ -331,7 +248,10 @@ class KlartextParser : public KlartextFunctions {
   Status datum() {
     block_.kind = KlartextKind::datum;
     if (take("RESET")) return name_of(KlartextKind::datum, "RESET");
-    if (take("TABLE")) return name_of(KlartextKind::not_available, "TRANS DATUM TABLE");
+    if (take("TABLE")) {
+      block_.name = "TABLE";
+      return words(Names::table, block_.words);
+    }
     if (take("AXIS")) return words(Names::motion, block_.words);
     return unknown();
   }

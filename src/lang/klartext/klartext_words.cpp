@@ -23,6 +23,9 @@ constexpr std::string_view plane_names[] = {"SPA", "SPB",  "SPC",   "PROPR", "PR
 constexpr std::string_view form_names[] = {"IX", "IY", "IZ", "X", "Y", "Z", "R", "L", "DIST", "RI", "DIM_R", "DIM_D", "LBL"};
 constexpr std::string_view pattern_names[] = {"X",    "Y",    "Z",   "DX",    "DY",   "D",  "NUMX", "NUMY", "NUM",
                                               "ROTX", "ROTY", "ROT", "START", "STEP", "IX", "IY",   "IZ"};
+constexpr std::string_view table_names[] = {"TABLINE", "FILE"};
+constexpr std::string_view free_names[] = {"IX", "IY", "IZ", "IA", "IB", "IC", "PR", "PA", "AN", "LEN", "CCA", "CCX", "CCY",
+                                           "X",  "Y",  "Z",  "A",  "B",  "C",  "R",  "DR", "F",  "M",   "RL",  "RR"};
 
 }  // namespace
 
@@ -38,6 +41,8 @@ std::string_view KlartextWords::name_here(Names names) const {
     case Names::plane: look(plane_names); break;
     case Names::form: look(form_names); break;
     case Names::pattern: look(pattern_names); break;
+    case Names::table: look(table_names); break;
+    case Names::free: look(free_names); break;
   }
   return best;
 }
@@ -156,7 +161,8 @@ Status KlartextWords::word(Names names, std::vector<KlartextWord>& to) {
   word.incremental = incremental;
   word.name = word_name(incremental ? name.substr(1) : name);
   at_ += name.size();
-  if (name == "R" && names == Names::motion && peek() == '0' && !is_digit(peek(1)) && peek(1) != '.' && peek(1) != ',') {
+  if (name == "R" && (names == Names::motion || names == Names::free) && peek() == '0' && !is_digit(peek(1)) && peek(1) != '.' &&
+      peek(1) != ',') {
     ++at_;
     word.name = word_name("R0");
     return add(std::move(word), begin, to);
@@ -168,6 +174,16 @@ Status KlartextWords::word(Names names, std::vector<KlartextWord>& to) {
     const auto read = value(word.number, word.value);
     if (!read) return fail(read.error());
     if (!*read || !take(")")) return syntax();
+    return add(std::move(word), begin, to);
+  }
+  if (name == "MB" && take("MAX")) {  // PLANE … TURN MB MAX
+    word.name = word_name("MBMAX");
+    return add(std::move(word), begin, to);
+  }
+  if (name == "FILE") {  // TRANS DATUM TABLE TABLINE5 FILE "NAME.D"
+    auto path = quoted();
+    if (!path) return fail(path.error());
+    word.text = *std::move(path);
     return add(std::move(word), begin, to);
   }
   constexpr std::string_view signed_names[] = {"DR", "SEQ", "SYM", "R"};

@@ -13,7 +13,7 @@ class KlartextWords : public KlartextText {
 
  protected:
   /// The sets of names that the words of a statement may have.
-  enum class Names : std::uint8_t { motion, tool, plane, form, pattern };
+  enum class Names : std::uint8_t { motion, tool, plane, form, pattern, table, free };
 
   /// Reads words up to the end of the text, or up to `)` in a pattern.
   Status words(Names names, std::vector<KlartextWord>& to);

@@ -93,6 +93,29 @@ std::optional<FormLine> form_line(std::string_view line) {
   return has[0] && has[1] && has[2] ? std::optional(of) : std::nullopt;
 }
 
+/// Reads BLK FORM CYLINDER Z R50 L105 DIST+5: a cylinder whose upper end is DIST above the zero (INFERRED); nullopt for another line, and
+/// for a tube.
+std::optional<StatedBox> form_cylinder(std::string_view line, std::uint32_t number, double scale) {
+  const std::size_t begin = line.find("BLK FORM");
+  if (begin == std::string_view::npos || line.find(';') < begin) return std::nullopt;
+  const auto end = static_cast<std::uint32_t>(std::min(line.find(';'), line.size()));
+  const auto read = read_klartext_block(line, {static_cast<std::uint32_t>(begin), end});
+  if (!read || read->kind != KlartextKind::blank_form || read->part != 3 || read->name != "Z" || read->find("RI") != nullptr)
+    return std::nullopt;
+  const auto of = [&](std::string_view name) {
+    const KlartextWord* const word = read->find(name);
+    return word == nullptr || word->value ? 0 : scale * word->number;
+  };
+  const double radius = of("R"), length = of("L"), top = of("DIST");
+  if (!(radius > 0) || !(length > 0)) return std::nullopt;
+  StatedBox made{{}, number, std::string(line.substr(begin))};
+  made.size.size = {2 * radius, 2 * radius, length};
+  made.size.has_axes = true;
+  made.size.zero = {radius, radius, length - top};
+  made.cylinder = {2 * radius, top - length, top};
+  return made;
+}
+
 /// Returns the blank of BLK FORM 0.1 and 0.2 (spec/heidenhain 2); nullopt if the program has none or computes its corners.
 std::optional<StatedBox> blank_form(const ProgramLines& lines) {
   constexpr double mm_per_inch = 25.4;
@@ -100,6 +123,7 @@ std::optional<StatedBox> blank_form(const ProgramLines& lines) {
   std::optional<FormLine> least;
   for (const auto& [line, text] : lines) {
     if (text.find("BEGIN PGM") != std::string::npos) scale = text.find(" INCH") == std::string::npos ? 1 : mm_per_inch;
+    if (auto cylinder = form_cylinder(text, line, scale)) return cylinder;
     const auto form = form_line(text);
     if (!form) continue;
     if (form->part == 1) {

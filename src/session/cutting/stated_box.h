@@ -2,6 +2,7 @@
 // StatedBox: the rectangular blank that a milling program states in its comments or by BLK FORM, and where it lies. It is used by
 // view/stock_guess.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,6 +17,8 @@ struct StatedBox {
   BoxComment size;
   std::uint32_t line = 0;  // the line that states the size
   std::string text;        // its comment
+  // The cylinder of BLK FORM CYLINDER about Z: diameter, least and greatest Z, mm; `size` is the box around it
+  std::optional<std::array<double, 3>> cylinder = {};
 };
 
 /// Returns the blank of BLK FORM (conversational programs), or the first one that the comments state; nullopt if none states a size.
