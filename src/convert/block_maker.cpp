@@ -113,6 +113,7 @@ void BlockMaker::comment(std::string_view what) {
 Status BlockMaker::number(std::string& line) {
   const WordFormat& n = def_.grammar.word('N');
   if (requested_number_ == 0 && !def_.grammar.block_number_required) return {};
+  if (def_.grammar.klartext_blocks) return {};  // the control numbers the blocks itself (spec/heidenhain 1.2)
   const double most = n.whole_digits == 0 ? 99'999 : std::pow(10.0, n.whole_digits) - 1;
   std::uint32_t number = section_ != 0 ? 0 : requested_number_;
   if (def_.grammar.block_number_required) number = number > last_number_ ? number : last_number_ + 1;

@@ -9,7 +9,7 @@
 
 #include "config/machine/machine_codes.h"
 #include "convert/code_match.h"
-#include "convert/flat/flat_program.h"
+#include "convert/flat/klartext_program.h"
 #include "convert/proving.h"
 #include "convert/source_comments.h"
 #include "convert/word_by_word.h"
@@ -43,7 +43,10 @@ class Writing {
                                                              : FlatForm::plain;
     Control& control = session_->control();
     control.return_each_block();
-    FlatProgram flat(blocks_, flat_source_of(*session_, *spec_.to), form);
+    std::unique_ptr<FlatWriter> written;
+    if (spec_.to->grammar.klartext_blocks) written = std::make_unique<KlartextProgram>(blocks_, flat_source_of(*session_, *spec_.to), form);
+    else written = std::make_unique<FlatProgram>(blocks_, flat_source_of(*session_, *spec_.to), form);
+    FlatWriter& flat = *written;
     flat_ = &flat;
     Outlets& outlets = session_->outlets();
     outlets.stop = spec_.stop;
@@ -102,7 +105,7 @@ class Writing {
   BlockMaker blocks_;
   SourceComments comments_;
   std::unique_ptr<Session> session_;
-  FlatProgram* flat_ = nullptr;
+  FlatWriter* flat_ = nullptr;
   Origin at_;
   std::uint32_t numbered_ = 0;  // line of the last block that received a block number
   bool has_changed_ = true;     // the previous block may have changed the offsets in force
@@ -244,6 +247,12 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
     if (as == ConvertedAs::words && is_lathe(opened->def()) != is_lathe(*spec.to)) {
       ConversionTry& one = all.tries.emplace_back();
       one.as = as, one.cannot_express = alarm(AlarmId::function_has_no_code, {}, "T0101");
+      continue;
+    }
+    // Conversational blocks have no counterparts among words, so only the motions themselves can be written.
+    if (as == ConvertedAs::words && opened->def().grammar.klartext_blocks != spec.to->grammar.klartext_blocks) {
+      ConversionTry& one = all.tries.emplace_back();
+      one.as = as, one.cannot_express = alarm(AlarmId::function_has_no_code, {}, "L");
       continue;
     }
     auto one = one_try(spec, as, shape, proving);

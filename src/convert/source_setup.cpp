@@ -169,6 +169,10 @@ OffsetsInForce offsets_of(const Control& control, const ControlDef& def) {
     if (word == "G43" || word == "G44" || word == "G43.7") now.length_sign = word == "G44" ? -1 : 1;
   }
   if (now.length_number == 0) now.length_number = now.radius_number;
+  if (def.grammar.klartext_blocks) {  // TOOL CALL puts length and radius of its tool into force (spec/heidenhain 2.4)
+    now.length_number = now.radius_number = control.state_now().tool;
+    now.length_sign = now.length_number != 0 ? 1 : 0;
+  }
   if (is_lathe(def)) now.length_sign = now.length_number != 0 ? 1 : 0;  // the T word puts the offset into force
   return now;
 }
@@ -197,9 +201,10 @@ FlatSource flat_source_of(const Session& session, const ControlDef& to) {
 }
 
 bool changes_tools(const ControlDef& def) {
-  return is_lathe(def) || row_that_does(def, {{Function::change_tool, any_argument},
-                                              {Function::exchange_tool, any_argument},
-                                              {Function::load_tool, any_argument}}) != nullptr;
+  return is_lathe(def) || def.grammar.klartext_blocks ||
+         row_that_does(
+             def, {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}) !=
+             nullptr;
 }
 
 bool probe_elsewhere(Setup& setup) {

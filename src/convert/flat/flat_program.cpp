@@ -221,9 +221,9 @@ Status FlatProgram::write_with_motion(const Motion& motion, const OffsetsInForce
     side_ = motion.side;
   }
   if (has_turret()) return turret_offset(now);
-  const bool same =
-      now.length_sign == written_offsets_.length_sign && (now.length_sign == 0 || now.length_number == written_offsets_.length_number);
-  if (form_ == FlatForm::plain || same || is_length_by_word()) return {};
+  const OffsetsInForce& last = written_offsets_;
+  const bool same = now.length_sign == last.length_sign && (now.length_sign == 0 || now.length_number == last.length_number);
+  if (form_ == FlatForm::plain || same || is_length_by_word() || blocks_.def().grammar.named_blocks) return {};  // spec/sinumerik 13
   if (now.length_sign == 0)
     KADR_TRY(blocks_.code({{Function::length_off, any_argument},
                            {Function::length_comp, 0},

@@ -13,6 +13,7 @@
 #include "action/tool_position.h"
 #include "compare/path_modes.h"
 #include "convert/block_maker.h"
+#include "convert/flat/flat_writer.h"
 
 namespace kadr {
 
@@ -59,22 +60,22 @@ struct FlatSource {
   bool diameters = false;     // X words of the target text are diameters
 };
 
-class FlatProgram {
+class FlatProgram final : public FlatWriter {
  public:
   FlatProgram(BlockMaker& blocks, FlatSource source, FlatForm form)
       : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), form_(form), modes_(path_modes_of(blocks.def())) {}
 
   ///   stand  position of the axes at the beginning; `placement` contains the work offset in force
-  Status begin(const ToolPosition& stand, const Placement& placement);
+  Status begin(const ToolPosition& stand, const Placement& placement) override;
   /// Writes one action of the run.
   ///   alarms  function_has_no_code  the target control has no code for the action
   ///           word_has_no_room
-  Status take(const Action& action, const OffsetsInForce& now);
+  Status take(const Action& action, const OffsetsInForce& now) override;
   /// Writes the T word of a lathe if the source block that has just been executed has put other offsets into force, without an action.
-  Status note_offsets(const OffsetsInForce& now);
+  Status note_offsets(const OffsetsInForce& now) override;
   /// Ends the flat blocks that together express one block of the source program.
-  Status end_block();
-  Status finish();
+  Status end_block() override;
+  Status finish() override;
 
   /// Tracks the state after an action without writing it. The caller must call this function for an action that other blocks express.
   void pass(const Action& action);
@@ -89,7 +90,7 @@ class FlatProgram {
   void allow_after_probe() { after_probe_allowed_ = true; }
   bool has_probed() const { return has_probed_; }
   /// Returns the number of the work system that all motions in work coordinates use; nullopt if they use several, or none.
-  std::optional<std::uint16_t> counts_from() const { return counts_from_several_ ? std::nullopt : counts_from_; }
+  std::optional<std::uint16_t> counts_from() const override { return counts_from_several_ ? std::nullopt : counts_from_; }
   /// Returns the number of motions written so far.
   std::size_t motions() const { return motions_; }
 
