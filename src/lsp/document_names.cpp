@@ -9,6 +9,7 @@
 #include "base/ascii.h"
 #include "lang/block/lexer.h"
 #include "lang/named/named_parser.h"
+#include "lsp/klartext_names.h"
 #include "out/text/explain/name_text.h"
 
 namespace kadr {
@@ -226,6 +227,7 @@ std::vector<NamedPlace> DocumentNames::names_of(std::string_view line) const {
     if (!lexed || lexed->next <= from) break;
     from = lexed->next;
   }
+  if (def_->grammar.klartext_blocks) add_klartext_names(line, names);
   return names;
 }
 

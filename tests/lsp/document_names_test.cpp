@@ -37,8 +37,17 @@ TEST(DocumentNames, FindsLabelsAndNamedVariablesOfLinuxCnc) {
 }
 
 TEST(DocumentNames, FindsProgramsOfSinumerik) {
-  EXPECT_EQ(names_of("sinumerik", "%_N_MAIN_MPF\nPART(5)\nSTOPRE\nN10 MCALL Part\nL10 P2\nEXTCALL \"part\"\nX1=5\nPROC PART(REAL A)\nG1 X1\n"),
-            "0 O main*\n1 O part\n3 N 10*\n3 O part\n4 O l10\n5 O part\n7 O part*\n");
+  EXPECT_EQ(
+      names_of("sinumerik", "%_N_MAIN_MPF\nPART(5)\nSTOPRE\nN10 MCALL Part\nL10 P2\nEXTCALL \"part\"\nX1=5\nPROC PART(REAL A)\nG1 X1\n"),
+      "0 O main*\n1 O part\n3 N 10*\n3 O part\n4 O l10\n5 O part\n7 O part*\n");
+}
+
+TEST(DocumentNames, FindsNamesOfConversationalBlocks) {
+  EXPECT_EQ(
+      names_of("heidenhain",
+               "0 BEGIN PGM PLATE MM\n1 TOOL CALL 5 Z S2000\n2 LBL 07\n3 Q1 = Q1 + QL2 ; Q9\n4 CALL LBL 7 REP 2\n5 FN 9: IF +Q1 EQU +3 "
+               "GOTO LBL \"End\"\n6 CALL PGM TNC:\\PARTS\\Hole.H\n7 LBL 0\n* - Outline\n"),
+      "0 O plate*\n1 T 5\n2 label 7*\n3 # q1*\n3 # q1\n3 # ql2\n4 label 7\n5 label End\n5 # q1\n6 O hole\n8 heading - Outline\n");
 }
 
 TEST(DocumentNames, KeepsBlockNumbersOfProgramsApart) {

@@ -55,11 +55,6 @@ TEST(PartProgram, EveryControlReadsItBack) {
     const auto def = load_control(id);
     if (def->behaviour.lathe != Lathe::none) continue;  // kadr mill writes no programs for lathes
     const auto program = part_program(*def, moves, technology);
-    if (def->grammar.klartext_blocks) {  // nor conversational ones
-      ASSERT_FALSE(program) << id;
-      EXPECT_EQ(program.error().id, AlarmId::function_has_no_code) << id;
-      continue;
-    }
     ASSERT_TRUE(program) << id;
     const auto read = program_moves(*def, program->text);
     ASSERT_TRUE(read) << id << ' ' << name_of(read.error().id) << '\n' << program->text;

@@ -65,6 +65,23 @@ test("parentheses of a block with names are no comments", () => {
     expect(words(line).at(-1)).toMatch(/^comment:\(/);
 });
 
+test("conversational blocks", () => {
+  expect(words("12 L X+10 IY-5.5 R0 FMAX M3 ; to the start")).toEqual([
+    "label:12",
+    "motion:L",
+    "axis:X+10",
+    "axis:IY-5.5",
+    "axis:R0",
+    "feed:FMAX",
+    "function:M3",
+    "comment:; to the start",
+  ]);
+  expect(words("C X+Q5 Y+0 DR-")).toEqual(["motion:C", "axis:X", "variable:+Q5", "axis:Y+0", "axis:DR-"]);
+  expect(words("CALL LBL 5 REP 2")).toEqual(["keyword:CALL LBL", "number:5", "keyword:REP", "number:2"]);
+  expect(words("* - ROUGHING")).toEqual(["comment:* - ROUGHING"]);
+  expect(words("C90 L1 X5")).toEqual(["axis:C90", "axis:L1", "axis:X5"]);
+});
+
 test("words of a line", () => {
   expect(words("N10 G1 X-1.5 F200 M8 (note) ; end")).toEqual([
     "label:N10",

@@ -12,6 +12,7 @@
 
 #include "base/tolerance.h"
 #include "out/program/codes.h"
+#include "out/program/klartext_part.h"
 #include "out/program/words.h"
 #include "path/pocketing/edge.h"
 
@@ -262,6 +263,7 @@ class ProgramWriter {
 }  // namespace
 
 Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::Move>& moves, const Technology& technology) {
+  if (def.grammar.klartext_blocks) return klartext_part_program(moves, technology);
   return ProgramWriter(def, technology).write(moves);
 }
 

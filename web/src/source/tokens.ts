@@ -1,5 +1,7 @@
 // The words of a line of G-code, for colouring only: comments, N, G, M, axes, variables, O words. The meaning of a
 // word comes from the control, not from this table.
+import { is_klartext, klartext_token } from "./klartext";
+
 export type TokenKind =
   "comment" | "label" | "motion" | "function" | "axis" | "feed" | "variable" | "program" | "keyword" | "number" | "";
 
@@ -25,9 +27,18 @@ const rules: [TokenKind, RegExp][] = [
   ["number", /^[-+]?(?:\d+\.?\d*|\.\d+)/],
 ];
 
+let asked = "",
+  answer = false;
+/// The line is asked once for each of its tokens.
+function klartext_line(line: string): boolean {
+  if (line !== asked) [asked, answer] = [line, is_klartext(line)];
+  return answer;
+}
+
 /// Returns the token that starts at `from`; white space and everything else is a token of one character without a
 /// kind.
 export function token_at(line: string, from: number): { kind: TokenKind; length: number } {
+  if (klartext_line(line)) return klartext_token(line, from);
   const rest = line.slice(from, from + 400);
   for (const [kind, rule] of rules) {
     if (kind === "comment" && rest[0] === "(" && opens_arguments(line, from)) continue;
