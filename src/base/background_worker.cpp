@@ -3,16 +3,9 @@
 
 #include "base/background_worker.h"
 
-#include <sched.h>
-
 #include <utility>
 
 namespace kadr {
-
-bool has_several_processors() {
-  cpu_set_t set;
-  return sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 1;
-}
 
 BackgroundWorker::~BackgroundWorker() {
   if (!thread_.is_begun()) return;
@@ -35,7 +28,7 @@ void BackgroundWorker::begin(std::function<void()> work) {
   work_ = std::move(work);
   begun_ = true;
   if (!thread_.is_begun() && !alone_) {
-    alone_ = !has_several_processors() || !thread_.begin([this] { this->work(); });
+    alone_ = threads_at_once() == 1 || !thread_.begin([this] { this->work(); });
   }
   if (alone_) return execute();
   given_.fetch_add(1, std::memory_order_release);

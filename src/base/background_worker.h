@@ -26,9 +26,6 @@ void wait_for(const std::atomic<Value>& changes, const Done& done, int max_polls
   }
 }
 
-/// Returns true if this process may use more than one processor.
-bool has_several_processors();
-
 class BackgroundWorker {
  public:
   BackgroundWorker() = default;

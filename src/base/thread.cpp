@@ -3,6 +3,11 @@
 
 #include "base/thread.h"
 
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#include <algorithm>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -22,6 +27,18 @@ std::thread begun(std::function<void()> work) {
 }
 
 }  // namespace
+
+int threads_at_once() {
+#ifdef __linux__
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) == 0) return CPU_COUNT(&set);
+#endif
+#ifdef __EMSCRIPTEN__
+  return 1;  // the browser tells its processors, but gives a page without special headers no threads
+#else
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+#endif
+}
 
 bool Thread::begin(std::function<void()> work) {
   auto thrown = std::make_unique<std::exception_ptr>();

@@ -14,6 +14,10 @@ struct NoThread : std::exception {
   const char* what() const noexcept override { return "no more threads are to be had"; }
 };
 
+/// Returns how many threads may work at once, including the calling one: as many as the process has processors; 1 where there are no
+/// threads (a page in a browser).
+int threads_at_once();
+
 class Thread {
  public:
   Thread() = default;

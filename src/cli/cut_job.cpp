@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <thread>
 
 #include "cli/cut_guess.h"
 #include "cli/cut_portion.h"
@@ -138,7 +137,7 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
 
 bool find_cut_job(CutOptions& options, CutJob& job, const std::optional<Mesh>& part) {
   if (!find_material(options, part, job)) return false;
-  job.threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
+  job.threads = options.threads > 0 ? options.threads : threads_at_once();
   job.keeps_rates = options.run.colour == "load";
   return true;
 }

@@ -7,7 +7,7 @@
 
 namespace kadr {
 
-RunAhead::RunAhead(Control& control) : control_(control), parallel_(has_several_processors()) {}
+RunAhead::RunAhead(Control& control) : control_(control), parallel_(threads_at_once() > 1) {}
 
 RunAhead::~RunAhead() {
   over_.store(true, std::memory_order_release);

@@ -28,7 +28,7 @@ FurtherInterval within_brick(const LineRange& range, double corner, float edge, 
 }
 
 std::unique_ptr<Brick> whole_brick(float edge) {
-  auto brick = std::make_unique_for_overwrite<Brick>();
+  std::unique_ptr<Brick> brick(new Brick);  // not filled with zeros first
   for (BrickLines& lines : brick->family)
     for (int i = 0; i < brick_lines; ++i) {
       lines.from[i] = 0, lines.to[i] = edge;
@@ -103,7 +103,7 @@ void Stock::fill_evenly(std::size_t i) {
 }
 
 std::unique_ptr<Brick> Stock::fresh(std::size_t i) const {
-  auto brick = std::make_unique_for_overwrite<Brick>();
+  std::unique_ptr<Brick> brick(new Brick);  // not filled with zeros first
   const Vec3 corner = lattice_.corner(i);
   std::vector<LineRange> ranges;
   for (int family = 0; family < 3; ++family) {

@@ -5,8 +5,10 @@
 
 #include <dirent.h>
 #include <fmt/core.h>
+#ifdef __linux__
 #include <linux/openat2.h>
 #include <sys/syscall.h>
+#endif
 #include <unistd.h>
 
 #include <algorithm>
@@ -74,12 +76,36 @@ OpenFile::~OpenFile() {
   if (fd_ >= 0) ::close(fd_);
 }
 
+OpenFile open_by_parts(int folder, const std::string& name, int flags, mode_t mode) {
+  constexpr int always = O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW;
+  OpenFile parent(-1);
+  int at = folder;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = name.find('/', begin);
+    const std::string part = name.empty() ? "." : name.substr(begin, end - begin);
+    if (part.empty() || part == "..") {  // begins with a slash, or leads upwards
+      errno = EXDEV;
+      return OpenFile(-1);
+    }
+    if (end == std::string::npos) return OpenFile(::openat(at, part.c_str(), flags | always, mode));
+    OpenFile next(::openat(at, part.c_str(), O_RDONLY | O_DIRECTORY | always));
+    if (!next.is_open()) return next;
+    parent.replace(std::move(next));
+    at = parent.fd();
+    begin = end + 1;
+  }
+}
+
 OpenFile open(int folder, const std::string& name, int flags, mode_t mode) {
+#ifdef __linux__
   open_how how{};
   how.flags = std::uint64_t(flags) | O_CLOEXEC | O_NONBLOCK;
   how.mode = mode;
   how.resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS | RESOLVE_NO_MAGICLINKS;
-  return OpenFile(int(::syscall(SYS_openat2, folder, name.empty() ? "." : name.c_str(), &how, sizeof how)));
+  const long opened = ::syscall(SYS_openat2, folder, name.empty() ? "." : name.c_str(), &how, sizeof how);
+  if (opened >= 0 || errno != ENOSYS) return OpenFile(int(opened));  // known since Linux 5.6
+#endif
+  return open_by_parts(folder, name, flags, mode);
 }
 
 bool is_hidden(std::string_view name) {
@@ -129,12 +155,14 @@ std::string fault_of_new_name(const OpenFile& folder, const std::string& last, c
 }
 
 int rename_to_new(const OpenFile& from_folder, const std::string& from, const OpenFile& to_folder, const std::string& to) {
+#ifdef __linux__
   if (::renameat2(from_folder.fd(), from.c_str(), to_folder.fd(), to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
+#endif
   // The file system cannot rename without replacing: a link fails where a file of the name exists, and is not known by memory cards.
   if (::linkat(from_folder.fd(), from.c_str(), to_folder.fd(), to.c_str(), 0) == 0)
     return ::unlinkat(from_folder.fd(), from.c_str(), 0) == 0 ? 0 : errno;
-  if (errno != EPERM && errno != EOPNOTSUPP) return errno;
+  if (errno != EPERM && errno != EOPNOTSUPP && errno != EMLINK) return errno;  // EMLINK: files in the memory of a page
   struct stat there;
   if (::fstatat(to_folder.fd(), to.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0) return EEXIST;
   return ::renameat(from_folder.fd(), from.c_str(), to_folder.fd(), to.c_str()) == 0 ? 0 : errno;

@@ -30,6 +30,8 @@ class OpenFile {
 
 /// Opens a file beneath a folder. Links are not followed, so the file is certainly beneath the folder.
 OpenFile open(int folder, const std::string& name, int flags, mode_t mode = 0);
+/// Does the same where the kernel cannot: opens one folder after another, and never a link. `..` is refused.
+OpenFile open_by_parts(int folder, const std::string& name, int flags, mode_t mode = 0);
 
 /// Returns true if a component of the name is hidden (begins with a dot) or empty.
 bool is_hidden(std::string_view name);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <thread>
 
 #include "config/language.h"
 #include "out/text/alarm_print.h"
@@ -36,7 +35,7 @@ tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedPr
   run.reset(exact != nullptr ? static_cast<PartRun*>(exact) : cells);
   run->job_.tools = request.tools;
   run->notes_ = request.tools.notes;
-  run->job_.threads = std::max(1, int(std::thread::hardware_concurrency()));
+  run->job_.threads = threads_at_once();
   run->job_.stop = stop;
   const auto begun = exact != nullptr ? exact->begin() : cells->begin(request);
   if (!begun) return Failed(begun.error());

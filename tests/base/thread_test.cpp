@@ -1,6 +1,7 @@
 #include "base/thread.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <atomic>
 #include <stdexcept>
@@ -23,6 +24,20 @@ TEST(Thread, IsWaitedForWhenItGoes) {
     for (Thread& thread : threads) ASSERT_TRUE(thread.begin([&] { ++done; }));
   }
   EXPECT_EQ(done, 4);
+}
+
+/// A process that may use one processor only begins no threads that would only save time.
+TEST(Thread, AreAsManyAsTheProcessMayUse) {
+  cpu_set_t before;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  EXPECT_EQ(threads_at_once(), CPU_COUNT(&before));
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  for (int i = 0; CPU_COUNT(&one) == 0; ++i)
+    if (CPU_ISSET(i, &before)) CPU_SET(i, &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(threads_at_once(), 1);
+  ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 
 TEST(SideBySideThreads, DoEachShareOnce) {

@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
+
+#include "view/folder_names.h"
 
 namespace kadr::served_folder_test {
 namespace {
@@ -23,6 +26,31 @@ TEST(ServedFolder, KindsByName) {
   EXPECT_EQ(kind_of_file("shop.json"), Kind::setup);
   EXPECT_EQ(kind_of_file("tools.toml"), Kind::tools);
   EXPECT_EQ(kind_of_file("part.STL"), Kind::other);
+}
+
+/// What the kernel does for a server, a page in a browser and an old kernel do step by step: with the same result.
+TEST(ServedFolder, IsNotLeftStepByStepEither) {
+  const fs::path above = fs::temp_directory_path() / ("kadr_by_parts_" + std::to_string(::getpid()));
+  fs::create_directories(above / "in" / "sub" / "deep");
+  for (const char* const name : {"out.nc", "in/a.nc", "in/sub/b.nc", "in/sub/deep/c.nc"}) std::ofstream(above / name) << "M30\n";
+  fs::create_symlink(above / "out.nc", above / "in" / "link.nc");
+  fs::create_symlink(above, above / "in" / "up");
+  fs::create_symlink("deep", above / "in" / "sub" / "also");
+  {
+    const served::OpenFile folder(::open((above / "in").c_str(), O_RDONLY | O_DIRECTORY));
+    ASSERT_TRUE(folder.is_open());
+    for (const char* const name : {"", "a.nc", "sub", "sub/b.nc", "sub/deep/c.nc", "./a.nc", "..", "../out.nc", "sub/../a.nc", "link.nc",
+                                   "up/out.nc", "sub/also/c.nc", "/etc/passwd", "a.nc/", "a.nc/b", "none", "none/b.nc"}) {
+      const served::OpenFile kernel = served::open(folder.fd(), name, O_RDONLY), steps = served::open_by_parts(folder.fd(), name, O_RDONLY);
+      if (std::string_view(name) != "sub/../a.nc") EXPECT_EQ(kernel.is_open(), steps.is_open()) << name;
+      if (std::string_view(name).find("..") != std::string_view::npos) EXPECT_FALSE(steps.is_open()) << name;
+    }
+    const served::OpenFile made = served::open_by_parts(folder.fd(), "sub/new.nc", O_WRONLY | O_CREAT | O_EXCL, 0644);
+    EXPECT_TRUE(made.is_open());
+    EXPECT_FALSE(served::open_by_parts(folder.fd(), "sub/new.nc", O_WRONLY | O_CREAT | O_EXCL, 0644).is_open());
+    EXPECT_EQ(errno, EEXIST);
+  }
+  fs::remove_all(above);
 }
 
 TEST(ServedFolder, NothingBeyondIt) {

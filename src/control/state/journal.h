@@ -44,9 +44,9 @@ class Journal {
  private:
   /// The record that follows the bytes of an old value. The record comes after the bytes because undo() reads backwards, so that it finds
   /// the last change first.
-  struct Change {
-    void* cell;        // address of the changed cell; nullptr: no cell has changed, and the function undos_[size] undoes the change
-    std::size_t size;  // size of the changed cell in bytes, or index of the function in undos_
+  struct alignas(8) Change {  // aligned as the values are, which are 8 bytes long on processors with addresses of 4 bytes too
+    void* cell;               // address of the changed cell; nullptr: no cell has changed, and the function undos_[size] undoes the change
+    std::size_t size;         // size of the changed cell in bytes, or index of the function in undos_
   };
   static constexpr std::size_t step = alignof(Change);
   static constexpr std::size_t rounded(std::size_t size) { return (size + step - 1) / step * step; }

@@ -89,7 +89,7 @@ bool read_number(Cursor& cursor, Number& number) {
     number.value = number.mantissa / powers_of_ten[fraction];
     return true;
   }
-  return read_long_number({first, p}, number);
+  return read_long_number({first, static_cast<std::size_t>(p - first)}, number);
 }
 
 bool given_name_follows(const Cursor& cursor) {

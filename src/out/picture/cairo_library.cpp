@@ -4,20 +4,20 @@
 
 #include "out/picture/cairo_library.h"
 
-#include <dlfcn.h>
-
 #include <optional>
+
+#include "base/shared_library.h"
 
 namespace kadr {
 namespace {
 
 std::optional<Cairo> opened() {
-  void* const library = dlopen("libcairo.so.2", RTLD_LAZY | RTLD_LOCAL);
+  void* const library = open_library("libcairo.so.2");
   if (library == nullptr) return std::nullopt;
   Cairo cairo;
   bool whole = true;
   const auto find = [&](auto& function, const char* name) {
-    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(function_in(library, name));
     whole = whole && function != nullptr;
   };
 #define KADR_CAIRO_FIND(name) find(cairo.name, "cairo_" #name);

@@ -2,12 +2,16 @@
 
 #include "stock/bodies/bodies_library.h"
 
+#ifndef __EMSCRIPTEN__
 #include <dlfcn.h>
+#endif
 
 #include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include "base/shared_library.h"
 
 namespace kadr {
 namespace {
@@ -19,6 +23,9 @@ constexpr const char* bodies_folders[] = {"", "../lib/kadr/modules/", "kadr/modu
 
 /// Returns the folder of the program or library that contains this code, with a final `/`; empty if unknown.
 std::string folder_of_this() {
+#ifdef __EMSCRIPTEN__
+  return "";
+#else
   static const char here = 0;
   Dl_info info{};
   if (dladdr(&here, &info) == 0 || info.dli_fname == nullptr) return "";
@@ -28,18 +35,19 @@ std::string folder_of_this() {
   if (!whole) return "";
   const std::string path = whole.get();
   return path.substr(0, path.rfind('/') + 1);
+#endif
 }
 
 const KadrBodiesInterface* opened_bodies() {
   const std::string folder = folder_of_this();
   if (folder.empty()) return nullptr;
   for (const char* const under : bodies_folders) {
-    void* const library = dlopen((folder + under + bodies_file).c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const library = open_library((folder + under + bodies_file).c_str(), true);
     if (library == nullptr) continue;
-    const auto entry = reinterpret_cast<KadrBodiesEntry>(dlsym(library, kadr_bodies_entry));
+    const auto entry = reinterpret_cast<KadrBodiesEntry>(function_in(library, kadr_bodies_entry));
     const KadrBodiesInterface* const door = entry == nullptr ? nullptr : entry();
     if (door != nullptr && door->version == kadr_bodies_version) return door;
-    dlclose(library);
+    close_library(library);
   }
   return nullptr;
 }

@@ -6,7 +6,7 @@ namespace kadr {
 
 const Expat* expat_library() {
   static const std::optional<Expat> opened =
-      opened_library<Expat>("libexpat.so.1", [](Expat& library, const auto& find) { KADR_EXPAT(KADR_LIBRARY_FIND) });
+      opened_library<Expat>("libexpat.so.1", [](Expat& library, [[maybe_unused]] const auto& find) { KADR_EXPAT(KADR_LIBRARY_FIND) });
   return opened ? &*opened : nullptr;
 }
 

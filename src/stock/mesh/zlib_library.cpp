@@ -6,7 +6,7 @@ namespace kadr {
 
 const Zlib* zlib_library() {
   static const std::optional<Zlib> opened =
-      opened_library<Zlib>("libz.so.1", [](Zlib& library, const auto& find) { KADR_ZLIB(KADR_LIBRARY_FIND) });
+      opened_library<Zlib>("libz.so.1", [](Zlib& library, [[maybe_unused]] const auto& find) { KADR_ZLIB(KADR_LIBRARY_FIND) });
   return opened ? &*opened : nullptr;
 }
 
