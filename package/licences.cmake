@@ -1,4 +1,4 @@
-# Writes PAGE/licences.txt, which `kadr --licences` prints: cmake -DROOT=. -DPAGE=build/web/report -P licences.cmake. Packages of the page
+# Writes PAGE/licences.txt, which `kadr --licences` prints: cmake -DROOT=. -DPAGE=build/web/report [-DWEB=SOURCES] -P licences.cmake. Packages of the page
 # come from the bundler's own lists (web/bundling/notices.ts refuses a licence that may not be embedded), compiled-in headers from
 # Debian's copyright files; libraries that are only linked are named.
 cmake_policy(SET CMP0057 NEW)
@@ -58,7 +58,7 @@ endforeach()
 
 # The packages of the page, by name: once if both page and viewer contain it.
 set(told "")
-foreach(list page-parts report-parts)
+foreach(list page-parts report-parts web-parts)
   if(NOT EXISTS ${PAGE}/${list}.json)
     continue()
   endif()
@@ -79,6 +79,21 @@ foreach(list page-parts report-parts)
   file(REMOVE ${PAGE}/${list}.json)
 endforeach()
 
+# The page without a server contains the libraries too (package/web/libraries.cmake); WEB is where dev/wasm has unpacked the sources.
+if(WEB)
+  foreach(row "Clipper (BSL-1.0)|${WEB}/libpolyclipping/License.txt" "pugixml (MIT)|${WEB}/pugixml/LICENSE.md" "zlib (Zlib)|${WEB}/zlib/LICENSE"
+              "expat (MIT)|${WEB}/expat/expat/COPYING" "fmt (MIT)|/usr/share/doc/libfmt-dev/copyright"
+              "toml++ (MIT)|/usr/share/doc/libtomlplusplus-dev/copyright"
+              "Emscripten with musl, libc++ and compiler-rt (MIT, Apache-2.0 with LLVM exception)|/usr/share/doc/emscripten/copyright")
+    string(REPLACE "|" ";" row "${row}")
+    list(GET row 0 name)
+    list(GET row 1 notice)
+    file(READ ${notice} said)
+    string(APPEND text "${rule}${name}\n\n${said}\n")
+  endforeach()
+  file(WRITE ${PAGE}/licences.txt "${text}${rule}${apache}")
+  return()
+endif()
 string(APPEND text "${rule}Linked, not embedded (their licences are with their packages): fmt, toml++, SQLite, pugixml, Clipper, libstdc++, glibc; loaded at
 need: Cairo, zlib, expat, FCL.\n\n${rule}${apache}")
 file(WRITE ${PAGE}/licences.txt "${text}")
