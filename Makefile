@@ -41,6 +41,10 @@ dist:
 vsix:
 	@dev/vsix
 
+web:
+	@dev/setup build
+	@dev/web
+
 site:
 	@dev/setup site
 	@dev/site
@@ -48,4 +52,4 @@ site:
 clean:
 	rm -rf build
 
-.PHONY: all run test check install deb dist vsix site clean
+.PHONY: all run test check install deb dist vsix web site clean

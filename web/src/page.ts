@@ -6,7 +6,7 @@ import { is_of_cut } from "./model/listed";
 import { shape_of, with_inserts, type Shape } from "./model/tool_shape";
 import { DiskWatch } from "./model/disk_watch";
 import { remember, remembered } from "./model/memory";
-import type { Socket } from "./protocol/client";
+import { alone, socket } from "./protocol/way";
 import type { Problem } from "./protocol/types";
 import type { SceneBox } from "./scene/scene";
 import { of_program } from "./source/problems_of";
@@ -14,7 +14,7 @@ import { SetupPanel } from "./setup/setup_panel";
 import { SourcePane } from "./source/pane";
 import { editor_view } from "./source/editor";
 import { apply_fix } from "./source/problems";
-import { language, set_language, t } from "./texts/texts";
+import { language, on_language, set_language, t, type TextKey } from "./texts/texts";
 import { EditDialog } from "./editing/edit_dialog";
 import { banner } from "./ui/banner";
 import { show_compare } from "./ui/compare";
@@ -22,6 +22,7 @@ import { ConvertDialog } from "./ui/converting";
 import { CutPanel } from "./ui/cut_panel";
 import { disk_notice } from "./ui/disk_notice";
 import { FilesDrawer } from "./ui/files";
+import { h } from "./ui/dom";
 import { show_help } from "./ui/help";
 import { listen_keys, step_mark } from "./ui/keys";
 import { MakingDialog } from "./ui/making";
@@ -46,8 +47,6 @@ import { Topbar } from "./ui/topbar";
 import { offer_unsaved } from "./ui/unsaved";
 
 set_language(language());
-const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
-const socket = (): Socket => new WebSocket(address) as unknown as Socket;
 const app = new App(socket);
 const player = new Player(app);
 const operator = new Operator(socket);
@@ -99,7 +98,7 @@ const tabs = new Tabs([
   { name: "cut_tab", element: cut.element, badge: () => cut.badge() },
   {
     name: "panel",
-    element: operator_panel.element,
+    element: alone ? note("alone_panel") : operator_panel.element,
     badge: () => (operator.panel ? "●" : ""),
     whole: () => Boolean(operator.panel),
   },
@@ -137,7 +136,7 @@ const top = new Topbar(app, {
   compare: () => show_compare(app, compared),
   setup: () => tabs.choose("setup_tab"),
   help: () => show_help(show_tour),
-  operator: () => mode.set(true),
+  operator: alone ? undefined : () => mode?.set(true),
   theme: (dark) => scene?.setTheme(dark),
 });
 files.element.hidden = remembered("files_hidden", false);
@@ -188,21 +187,30 @@ function jump_to(p: Problem): void {
   if (of_program(p, app.opened?.file ?? "")) source.show(p.line);
 }
 
+/// A sentence in place of a pane.
+function note(key: TextKey): HTMLElement {
+  const element = h("p", { class: "note" }, t(key));
+  on_language(() => (element.textContent = t(key)));
+  return element;
+}
+
 function show_boxes(): void {
   const all = app.done?.extents.cutting;
   scene?.setBoxes([...stock, ...(all ? [{ name: t("extents"), kind: "extents" as const, box: all }] : [])]);
 }
 
-const mode = operator_screen(app, operator, {
-  panel: operator_panel,
-  banner: banner_pane,
-  files: files.element,
-  scene: scene_pane.element,
-  source: source.element,
-  problems: problems.element,
-  show_line: (line) => source.show(line),
-  help: () => show_help(show_tour),
-});
+const mode = alone
+  ? null
+  : operator_screen(app, operator, {
+      panel: operator_panel,
+      banner: banner_pane,
+      files: files.element,
+      scene: scene_pane.element,
+      source: source.element,
+      problems: problems.element,
+      show_line: (line) => source.show(line),
+      help: () => show_help(show_tour),
+    });
 listen_keys(app, player, {
   view: (name) => scene?.view(name),
   measure: () => scene_pane.toggle_measure(),
@@ -222,6 +230,9 @@ source.tell_above(start.element);
 const live = new Live(app);
 live.on_old.on((old) => scene_pane.tell_old(old));
 files.upload.listen(document.body);
+app.on_line.on((line) => {
+  if (line === "open") alone?.on_launch((launched) => void files.upload.take(launched));
+});
 offer_unsaved(app);
 window.addEventListener("beforeunload", (e) => {
   app.keep_place();

@@ -1,4 +1,5 @@
 // Every text of the page in English: the keys that all other tables must have. Each area has a file of its own.
+import { alone_en } from "./en/alone";
 import { bar_en } from "./en/bar";
 import { cut_en } from "./en/cut";
 import { edit_en } from "./en/edit";
@@ -31,5 +32,6 @@ export const en = {
   ...making_en,
   ...edit_en,
   ...report_en,
+  ...alone_en,
 };
 export type TextKey = keyof typeof en;

@@ -1,4 +1,5 @@
 // Тексты страницы по-русски, словами цеха. Если ключа нет, сборка останавливается.
+import { alone_ru } from "./ru/alone";
 import { bar_ru } from "./ru/bar";
 import { cut_ru } from "./ru/cut";
 import { edit_ru } from "./ru/edit";
@@ -32,4 +33,5 @@ export const ru: Record<TextKey, string> = {
   ...making_ru,
   ...edit_ru,
   ...report_ru,
+  ...alone_ru,
 };

@@ -3,9 +3,11 @@
 import type { App } from "../model/app";
 import { free_name, name_part, folder_part } from "../model/file_names";
 import { Refused } from "../protocol/client";
+import { alone } from "../protocol/way";
 import { t } from "../texts/texts";
 import { ask } from "./dialog";
 import { h, option } from "./dom";
+import { save_file } from "./download";
 import { ask_name } from "./name_dialog";
 import { may_leave } from "./save";
 import { toast } from "./toast";
@@ -18,6 +20,12 @@ export class FileActions {
     private app: App,
     private show: (folder: string) => void, // the list of this folder has changed
   ) {}
+
+  /// Of a page without a server: the file as a download.
+  download(path: string): void {
+    const bytes = alone?.bytes_of(path);
+    if (bytes) save_file(name_part(path), new Blob([bytes]));
+  }
 
   /// Asks for name and control, and opens the new program.
   new_program(folder: string, names: ReadonlySet<string>): void {

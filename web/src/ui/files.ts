@@ -3,6 +3,7 @@
 import type { App } from "../model/app";
 import { folder_part } from "../model/file_names";
 import type { FileEntry } from "../protocol/types";
+import { alone } from "../protocol/way";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 import { bytes } from "./figures";
@@ -91,7 +92,10 @@ export class FilesDrawer {
     fill(
       this.tools,
       button(t("new_program"), () => this.new_program(), may),
-      button(t("upload"), () => this.upload.choose(), { ...may, title: t("upload_long") }),
+      button(t(alone ? "alone_open" : "upload"), () => this.upload.choose(), {
+        ...may,
+        title: t(alone ? "alone_upload_long" : "upload_long"),
+      }),
     );
     fill(
       this.list,
@@ -149,6 +153,7 @@ export class FilesDrawer {
           { name: t("rename"), go: () => actions.rename(path) },
           { name: t("duplicate"), go: () => actions.duplicate(path, names) },
           { name: t("delete"), go: () => void actions.delete(path) },
+          ...(alone ? [{ name: t("alone_download"), go: () => actions.download(path) }] : []),
         ]),
       {
         class: "icon file-menu",

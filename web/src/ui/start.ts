@@ -1,6 +1,7 @@
 // What the page shows while no program is open: the examples, one click each, and other ways to begin.
 import type { App } from "../model/app";
 import type { Example } from "../protocol/types";
+import { alone } from "../protocol/way";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 import { icon } from "./icons";
@@ -46,13 +47,14 @@ export class Start {
     fill(
       this.element,
       h("h2", null, t("start_title")),
-      h("p", null, t("start_open")),
+      h("p", null, t(alone ? "alone_start" : "start_open")),
+      alone && h("p", { class: "note" }, alone.told()),
       h(
         "div",
         { class: "row" },
         button(t("tour"), verbs.tour, { class: "main" }),
         button(t("new_program"), verbs.new_program, may),
-        button(t("upload"), verbs.upload, may),
+        button(t(alone ? "alone_open" : "upload"), verbs.upload, may),
       ),
       this.examples.length > 0 && h("h3", null, t("start_examples")),
       h("ul", { class: "examples" }, ...this.examples.map((e) => this.row(e, may))),

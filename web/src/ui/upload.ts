@@ -2,9 +2,11 @@
 import type { App } from "../model/app";
 import { base64, folder_part, free_name, most_sent, name_part } from "../model/file_names";
 import { Refused } from "../protocol/client";
+import { alone } from "../protocol/way";
 import { on_language, t } from "../texts/texts";
 import { ask } from "./dialog";
 import { h } from "./dom";
+import { dropped, type Found } from "./dropped";
 import { bytes } from "./figures";
 import { may_leave } from "./save";
 import { toast } from "./toast";
@@ -33,7 +35,9 @@ export class Upload {
       if (!brings_files(e)) return;
       e.preventDefault();
       e.dataTransfer!.dropEffect = this.app.hello?.may_change ? "copy" : "none";
-      sign.textContent = t("drop_here", { folder: this.folder() || this.app.hello?.folder || "/" });
+      sign.textContent = t(alone ? "alone_drop_here" : "drop_here", {
+        folder: this.folder() || this.app.hello?.folder || "/",
+      });
       sign.hidden = false;
     });
     target.addEventListener("dragleave", (e) => {
@@ -43,13 +47,15 @@ export class Upload {
       sign.hidden = true;
       if (!brings_files(e)) return;
       e.preventDefault(); // the browser would leave the page and show the file
-      void this.take([...(e.dataTransfer?.files ?? [])]);
+      if (alone && e.dataTransfer) void dropped(e.dataTransfer).then((found) => this.put(found));
+      else void this.take([...(e.dataTransfer?.files ?? [])]);
     });
     on_language(() => (sign.hidden = true));
   }
 
   async take(files: File[]): Promise<void> {
     const { app } = this;
+    if (alone) return this.put(files.map((file) => ({ path: file.name, file })));
     if (!app.hello?.may_change) return app.on_error.emit(t("may_not_change"));
     const sent: string[] = [];
     for (const file of files) {
@@ -100,6 +106,34 @@ export class Upload {
     } catch (e) {
       return this.refuse(e instanceof Error ? e.message : String(e));
     }
+  }
+
+  /// Without a server the files need not be sent: they become files of the page, of any length, with their folders.
+  async put(found: Found[]): Promise<void> {
+    const { app } = this,
+      folder = this.folder(),
+      files: { path: string; bytes: ArrayBuffer }[] = [];
+    for (const { path: name, file } of found) {
+      const path = folder ? `${folder}/${name}` : name,
+        bytes = await file.arrayBuffer().catch(() => null);
+      if (!bytes) this.refuse(t("empty_dropped", { file: name }));
+      else if (!alone!.bytes_of(path) || (await this.may_replace(path))) files.push({ path, bytes });
+    }
+    if (!files.length) return;
+    await alone!.put(files);
+    await this.show(folder);
+    const first = files[0]!.path;
+    if (files.length > 1) return toast(t("sent_many", { n: files.length }));
+    if ((await this.is_program(first)) && (await may_leave(app))) await app.open({ file: first });
+  }
+
+  private async may_replace(path: string): Promise<boolean> {
+    const choice = await ask(t("there_already", { file: path }), t("there_already_long"), [
+      ["replace", t("there_replace")],
+      ["skip", t("there_skip")],
+    ]);
+    if (choice === "replace") await this.app.client.ask("delete", { file: path }).catch((e) => this.app.tell(e));
+    return choice === "replace";
   }
 
   private async is_program(file: string): Promise<boolean> {
