@@ -50,7 +50,7 @@ def examples(controls=CONTROLS):
     """(control, program)"""
     for control in controls:
         for file in sorted((EXAMPLES / control).glob('*')):
-            if file.suffix in ('.nc', '.tap', '.nct', '.ngc', '.mpf') and not file.name.startswith('O'):
+            if file.suffix in ('.nc', '.tap', '.nct', '.ngc', '.mpf', '.h') and not file.name.startswith('O'):
                 yield control, file
 
 
