@@ -127,7 +127,7 @@ def check_refused_rows(kadr):
 
 
 def check_a_faulty_program_sends_nothing(kadr):
-    for text, what in (('G21\nG1X5\n', 'p.nc:2'), ('G21\n$130=999\n', 'p.nc:2'), ('G1 X1 F100 Q1\n', 'p.nc:1'), ('T1M6\n', 'p.nc:1')):
+    for text, what in (('G21\nG1X5\n', 'p.nc:2'), ('G21\n$130=999\n', 'p.nc:2'), ('G1 X1 F100 Q1\n', 'p.nc:1')):
         kadr.file('p.nc', text)
         machine = Machine()
         run = drive(kadr, machine, '--go', typed='go\n')
@@ -250,6 +250,175 @@ def check_a_locked_controller(kadr):
     run = drive(kadr, machine, '--home', '--go', '--accept', 'travel-x', '--accept', 'travel-y', typed='go\n')
     lines, _ = machine.end()
     expect(run.returncode == 0 and lines == SENT, f'{run.stderr} {lines}')
+
+
+def lines_then(process, *typed):
+    """Types each text after the line with its mark has come. Returns what the process printed."""
+    seen = ''
+    for mark, text in typed:
+        line = process.stderr.readline()
+        while line and mark not in line:
+            seen += line
+            line = process.stderr.readline()
+        seen += line
+        expect(line, f'waited in vain for {mark!r}: {seen}')
+        process.stdin.write(text)
+        process.stdin.flush()
+    _, err = process.communicate(timeout=harness.TIME_LIMIT_S)
+    return seen + err
+
+
+def check_a_tool_change(kadr):
+    """The second tool is 2 mm longer. The operator touches the part and sets Z to 0; the program goes on at the same point of the part."""
+    kadr.file('p.nc', 'G21 G90 G54 G1 F1200\nM3 S500\nZ-1\nX5\nT2 M6\nX8\nZ3\nM5\n')
+    machine = Machine()
+    process = start(kadr, machine, '--spin-up', '0.1')
+    err = lines_then(process, ('change the tool', 'M5\nj z 10 f3000\n'), ('done: $J', 'G10 L20 P1 Z7\n'), ('done: G10', 'r\n'),
+                     ('Type go', 'go\n'))
+    lines, state = machine.end()
+    expect(process.returncode == 0, err)
+    expect(not any('M6' in line for line in lines) and 'T2' in lines, f'M6 was sent: {lines}')
+    # the jog ends at machine Z 9; work Z 7 there: the zero is 2 mm higher
+    expect(state == 'Idle 8.000 0.000 5.000', f'{state} {lines}')
+    after = lines[lines.index('G10L20P1Z7') + 1:]
+    expect(after.index('M3') < next(n for n, line in enumerate(after) if 'G53' in line), f'the spindle does not turn before the way: {after}')
+    expect('G53G1Z1F100' in after, f'the tool does not come to Z-1 of the shifted work: {after}')
+
+
+def check_a_tool_change_that_the_operator_ends(kadr):
+    kadr.file('p.nc', 'G21 G90 G1 F1200\nX5\nM6 T2\nX8\n')
+    machine = Machine()
+    process = start(kadr, machine)
+    err = lines_then(process, ('change the tool', 's\n'))
+    _, state = machine.end()
+    expect(process.returncode == 1 and state == 'Idle 5.000 0.000 0.000', f'{err} {state}')
+    kadr.file('p.nc', 'G21 G90 G1 F1200\nX5\nM6 T2 X7\n')
+    machine = Machine()
+    run = drive(kadr, machine)
+    machine.end()
+    expect(run.returncode == 2 and 'a line of its own' in run.stderr, run.stderr)
+
+
+def check_by_hand_at_a_stop(kadr):
+    kadr.file('p.nc', 'G21G90G1F1200X3\nX4M0\nX6\n')
+    machine = Machine()
+    process = start(kadr, machine)
+    err = lines_then(process, ('line 2: X4M0', 'm\n'), ('By hand', '$100=1\nj y 5 f3000\n'), ('done: $J', 'r\n'), ('Type go', 'go\n'))
+    lines, state = machine.end()
+    expect(process.returncode == 0 and 'not sent: $100=1' in err, err)
+    expect(state == 'Idle 6.000 0.000 0.000' and 'G53G0Y0' in lines, f'{state} {lines}')
+
+
+def check_a_jog_is_cancelled(kadr):
+    kadr.file('p.nc', 'G21G90G1F1200X3\nM0\nX6\n')
+    machine = Machine()
+    process = start(kadr, machine)
+    for mark, typed in (('line 2: M0', 'm\n'), ('By hand', 'j y 200 f600\n'), ('done: $J', '')):
+        while mark not in process.stderr.readline():
+            expect(process.poll() is None, mark)
+        process.stdin.write(typed)
+        process.stdin.flush()
+    time.sleep(0.3)
+    process.stdin.write('h\n')
+    process.stdin.flush()
+    time.sleep(0.3)
+    _, err = process.communicate('r\nno\n', timeout=harness.TIME_LIMIT_S)
+    _, state = machine.end()
+    expect(process.returncode == 1 and 'before line 3: X6' in err and 1 < float(state.split()[2]) < 100, f'{err} {state}')
+
+
+def check_a_probe_motion_is_answered(kadr):
+    """The part is 4 mm lower than the end of the motion: what follows depends on where the probe touched."""
+    kadr.file('p.nc', 'G21 G90 G54 G0 Z0\nG38.2 Z-10 F600\nG10 L20 P1 Z1\nG1 F1200 Z5\nG38.2 Z0 F600\nG92 Z0\nG0 Z2\nX1\n')
+    machine = Machine('probe 0.4')
+    run = drive(kadr, machine, '--go', '--accept', 'travel-z', typed='go\n')
+    lines, state = machine.end()
+    expect(run.returncode == 0 and 'touched at X0.000 Y0.000 Z-4.000' in run.stderr, run.stderr)
+    # Z1 is at machine -4; Z5 at 0; from there 0.4 of 5 mm down: machine -2, which is Z0 of G92; Z2 at machine 0
+    expect('touched at X0.000 Y0.000 Z-2.000' in run.stderr and state == 'Idle 1.000 0.000 0.000', f'{run.stderr} {state} {lines}')
+    expect([line for line in lines if 'G38' in line] == ['G38.2Z-10F600', 'G38.2Z0F600'], f'{lines}')
+
+
+def check_a_probe_that_touches_nothing(kadr):
+    kadr.file('p.nc', 'G21 G90\nG38.2 Z-5 F600\nG1 X5 F600\n')
+    machine = Machine('probe 2')
+    run = drive(kadr, machine, '--go', typed='go\n')
+    lines, state = machine.end()
+    expect(run.returncode == 1 and 'ALARM:5' in run.stderr and not any('X5' in line for line in lines), f'{run.stderr} {state} {lines}')
+
+
+def check_a_start_in_the_middle(kadr):
+    kadr.file('p.nc', 'G20 G90 G55 G17\nM3 S700\nM8\nG0 X1 Y1\nG1 Z-0.1 F20\nG91\nX1\nY1 ; here\nX-1\nM5\n')
+    machine = Machine('offset G55 10 20 -5')
+    run = drive(kadr, machine, '--go', '--from', '8', '--spin-up', '0.1', '--clear', '1', typed='go\n')
+    lines, state = machine.end()
+    expect(run.returncode == 0 and 'before line 8: Y1 ; here' in run.stderr, run.stderr + run.stdout)
+    # G55 10 20 -5 and inches: line 8 begins at X2 Y1 Z-0.1 and ends, after line 9, at X1 Y2 Z-0.1
+    expect(state == 'Idle 35.400 70.800 -7.540', f'{state} {lines}')
+    head = lines[:lines.index('Y1')]
+    expect(head.index('M3') < head.index('G4P0.1') < head.index('G53G0X60.8Y45.4'), f'{head}')
+    expect('G53G1Z-7.54F100' in head and 'M8' in head and 'S700' in head and 'G91' in head and 'G20' in head, f'{head}')
+    expect('first motion: line 0: G53G0Z1' in run.stdout, run.stdout)
+
+
+def check_a_start_that_is_not_possible(kadr):
+    kadr.file('p.nc', 'G21 G90 G1 F100\nG2 X10 Y0 I5 J0\nX0 Y0 I-5 J0\nX5\n')
+    machine = Machine()
+    run = drive(kadr, machine, '--from', '3')
+    expect(run.returncode == 1 and 'no line sets G2' in run.stderr, run.stderr)
+    run = drive(kadr, machine, '--from', '9')
+    expect(run.returncode == 1 and 'no block there' in run.stderr, run.stderr)
+    run = kadr.call('drive', 'p.nc', '--control', 'grbl', '--settings', 'p.nc', '--from', '3')
+    expect(run.returncode == 2, run.stderr)
+    machine.end()
+
+
+def check_the_check_mode(kadr):
+    kadr.file('p.nc', 'G21 G90\nM3 S500\nG10 L2 P1 X1\nG4 P5\nG1 X5 F600\nM0\nM5\n')
+    machine = Machine()
+    run = drive(kadr, machine, '--check')
+    lines, state = machine.end()
+    expect(run.returncode == 0 and 'has read 5 lines' in run.stderr and 'nothing has moved' in run.stdout, run.stderr + run.stdout)
+    expect(lines == ['checked 5'] and state == 'Idle 0.000 0.000 0.000', f'{lines} {state}')
+    kadr.file('p.nc', 'G21 G90\nG1 X5 F600\nG18\nX6\n')  # the double knows only G17
+    machine = Machine()
+    run = drive(kadr, machine, '--check', '--go', typed='go\n')
+    lines, state = machine.end()
+    expect(run.returncode == 1 and 'line 3: error:20 to G18' in run.stderr and 'Type go' not in run.stdout, run.stderr + run.stdout)
+    expect(state == 'Idle 0.000 0.000 0.000', f'{lines} {state}')
+
+
+def check_the_feed_override(kadr):
+    kadr.file('p.nc', 'G21G90G1F600X1\nX20\n')
+    machine = Machine()
+    process = start(kadr, machine, '--feed', '20')
+    err = lines_then(process, ('feed 20 %', '+'), ('feed 30 %', 's\n'))
+    machine.end()
+    expect(process.returncode == 1, err)
+    sent = (kadr.folder / 'kadr-drive.log').read_text()
+    expect('> \\x90' + '\\x92' * 8 + '\\x97' in sent and '> \\x90' + '\\x92' * 7 + '\\x96' in sent, sent)
+
+
+def check_hold_acts_at_once(kadr):
+    """From the key to the byte at the controller, on this machine."""
+    kadr.file('p.nc', LONG)
+    times = []
+    for _ in range(5):
+        machine = Machine()
+        process = start(kadr, machine)
+        time.sleep(0.05)
+        pressed = time.time()
+        process.stdin.write('h\n')
+        process.stdin.flush()
+        log = kadr.folder / 'kadr-drive.log'
+        while ' > !' not in log.read_text():
+            time.sleep(0.0005)
+        times.append(time.time() - pressed)
+        process.stdin.write('s\n')
+        process.communicate(timeout=harness.TIME_LIMIT_S)
+        machine.end()
+        log.unlink()
+    expect(min(times) < 0.020, f'{times}')
 
 
 def check_russian(kadr):

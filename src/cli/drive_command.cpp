@@ -10,10 +10,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/drive_hand.h"
 #include "cli/drive_program.h"
-#include "cli/drive_run.h"
 #include "cli/job/files.h"
-#include "cli/job/keyboard.h"
 #include "cli/job/outputs.h"
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
@@ -21,7 +20,6 @@
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
 #include "drive/grbl/grbl_proof.h"
-#include "out/text/alarm_print.h"
 #include "out/text/summary.h"
 #include "texts/drive.h"
 #include "texts/help_examples.h"
@@ -35,7 +33,6 @@ using drive::LinkEvent;
 using drive::LinkEventKind;
 using drive::Verdict;
 
-constexpr double step_seconds = 0.02;
 constexpr double homing_patience = 180, unlock_patience = 2;      // s
 constexpr auto time_to_stop = std::chrono::milliseconds(15'000);  // after a signal, until the axes are at rest
 constexpr std::size_t most_settings = 1U << 20;                   // greatest size of a file with settings, bytes
@@ -57,10 +54,17 @@ class DriveCommand {
     } else if (!read_settings()) {
       return wrong_usage;
     }
-    const auto job = program_->open(settings(), position());
-    if (!job) return wrong_usage;
+    auto job = open();
+    if (!job) return o_.from == 0 ? wrong_usage : alarms;
+    job->pass_probes();
     if (!examine(*job) || !outputs_.keep()) return alarms;
     if (!print_proof()) return alarms;
+    if (o_.check) {
+      job = open();
+      if (!job) return alarms;
+      job->pass_probes();
+      if (!check_mode(*driver_, *job)) return interrupted() ? interrupted_status() : alarms;
+    }
     if (!o_.go) {
       type_out("{}\n", translated(texts::drive_command::nothing_moved));
       return ok;
@@ -76,7 +80,7 @@ class DriveCommand {
     };
     if (o_.program.empty() && !o_.status) return wrong(translated(texts::drive_command::no_program));
     if (o_.port.empty() && (o_.settings.empty() || o_.status)) return wrong(translated(texts::drive_command::port_or_settings));
-    if (o_.go && o_.port.empty()) return wrong(translated(texts::drive_command::go_needs_port));
+    if ((o_.go || o_.check || o_.from != 0) && o_.port.empty()) return wrong(translated(texts::drive_command::go_needs_port));
     if (!drive::is_baud_rate(o_.baud)) return wrong(translated(texts::drive_command::no_baud, o_.baud));
     return ok;
   }
@@ -100,6 +104,7 @@ class DriveCommand {
     drive::LinkOptions options;
     options.resets = !o_.status;
     options.most_seconds_ahead = o_.ahead;
+    options.line_rate = drive::characters_per_second(o_.port, line);
     driver_ = std::make_unique<drive::GrblDriver>(std::move(*port), log_.get(), options);
     return until_report();
   }
@@ -108,7 +113,7 @@ class DriveCommand {
   bool until_report() {
     bool connected = false;
     while (!interrupted()) {
-      for (const LinkEvent& event : driver_->step(step_seconds)) {
+      for (const LinkEvent& event : driver_->step(DriveTimes::step)) {
         if (event.kind == LinkEventKind::fault) {
           complain(fault_text(event, 0));
           return false;
@@ -128,7 +133,7 @@ class DriveCommand {
     if (o_.home && !run_command(*driver_, "$H", homing_patience)) return false;
     homed_ = o_.home;
     const double asked = driver_->now();
-    while (!interrupted() && view.reported_at <= asked) (void)driver_->step(step_seconds);
+    while (!interrupted() && view.reported_at <= asked) (void)driver_->step(DriveTimes::step);
     if (view.state != GrblState::alarm) return true;
     complain(translated(texts::drive_command::locked));
     return false;
@@ -151,7 +156,7 @@ class DriveCommand {
       if (!o_.out.empty() && line->kind != drive::LineKind::stop) write_data(outputs_.stream("--out"), line->text + "\n");
     }
     needs_ = job.needs();
-    if (needs_.alarm) write_coloured_message(alarm_text(*needs_.alarm, program_->job().texts(), program_->job().lang, colours()));
+    if (needs_.alarm) program_->print(*needs_.alarm);
     if (needs_.refused) complain(translated(texts::drive_command::line_not_allowed, program_->job().file, *needs_.refused));
     return !needs_.alarm && !needs_.refused;
   }
@@ -188,28 +193,79 @@ class DriveCommand {
     }
     type_out("{}\n", translated(texts::drive_command::ask));
     std::fflush(stdout);
-    if (!hears_go()) {
+    if (!hears_go(*driver_)) {
       write_message(translated(texts::drive_command::left) + "\n");
       return alarms;
     }
-    const auto job = program_->open(settings(), position());
-    if (!job) return wrong_usage;
     allow_after_signal(time_to_stop);
-    log_->note(fmt::format("{} lines {}", program_->job().file, needs_.lines));
-    const int status = run_job(*driver_, *job, needs_.lines);
+    log_->note(fmt::format("{} lines {} from {}", program_->job().file, needs_.lines, std::max(o_.from, 1U)));
+    const int status = run_all();
     if (!log_->is_right()) complain(translated(texts::drive_command::log_failed));
     return status;
   }
 
-  /// Reads one line from the keyboard, while the conversation with the controller goes on.
-  bool hears_go() {
-    Keyboard keyboard;
-    std::optional<std::string> line;
-    while (!line && !interrupted()) {
-      (void)driver_->step(step_seconds);
-      line = keyboard.line();
+  /// Opens the program, or its rest from --from on.
+  std::unique_ptr<drive::GrblJob> open() {
+    if (o_.from == 0) return program_->open(settings(), position());
+    Continuation how;
+    how.line = o_.from;
+    how.keeps_offsets = false;
+    how.clear = clear_height();
+    drive::GrblRestartPlan plan;
+    plan.line = o_.from;
+    plan.from = *position();
+    plan.clear = std::max(how.clear, plan.from[2]);
+    plan.spin_up = o_.spin_up;
+    const auto restart = program_->restart(settings(), plan);
+    if (!restart) return nullptr;
+    if (needs_.lines == 0) {
+      write_message(translated(texts::drive_command::goes_on, restart->text.first, restart->source) + "\n");
+      for (const std::string& line : restart->head) write_message("  " + line + "\n");
     }
-    return line == "go";
+    return program_->open(settings(), position(), *restart);
+  }
+  /// The height above which the way to a line is free, machine coordinates: what the user states, else the highest point of the program.
+  double clear_height() {
+    if (o_.clear) return *o_.clear;
+    if (!highest_) {
+      highest_ = -INFINITY;
+      if (const auto whole = program_->open(settings(), position())) {
+        whole->pass_probes();
+        if (const auto needs = drive::needs_of(*whole, o_.run.limits.stop); needs.most) highest_ = (*needs.most)[2];
+      }
+    }
+    return *highest_;
+  }
+
+  /// Sends the program, stretch by stretch: a tool change, a probe motion, or work by hand at a stop begins a new one.
+  int run_all() {
+    auto job = open();
+    if (!job) return alarms;
+    for (int feed = o_.feed;; feed = driver_->link().view().overrides.feed) {
+      Continuation how;
+      const JobEnd end = run_job(*driver_, *job, needs_.lines, feed);
+      if (!end.continues_at) return end.status;
+      how.line = *end.continues_at;
+      how.by_hand = end.by_hand;
+      how.place = position();
+      how.clear = clear_height();
+      how.spin_up = o_.spin_up;
+      if (end.by_hand) {
+        if (!read_offsets(*driver_)) return stop_status();
+        how.offsets_at_place = settings();
+        if (!work_by_hand(*driver_)) return stop_status();
+      }
+      job = continued(*driver_, *program_, how);
+      if (!job) return stop_status();
+    }
+  }
+  /// Resets the controller, which then has nothing in its buffers and its spindle off. Returns the exit status.
+  int stop_status() {
+    driver_->link().stop();
+    for (const double until = driver_->now() + DriveTimes::stop; driver_->now() < until;)
+      for (const LinkEvent& event : driver_->step(DriveTimes::step))
+        if (event.kind == LinkEventKind::stopped) return interrupted() ? interrupted_status() : alarms;
+    return alarms;
   }
 
   int show_status() {
@@ -232,6 +288,7 @@ class DriveCommand {
   drive::GrblSettings recorded_;
   drive::JobNeeds needs_;
   bool homed_ = false;
+  std::optional<double> highest_;  // highest point of the whole program, machine coordinates, mm
 };
 
 }  // namespace
@@ -249,6 +306,12 @@ void add_drive(CLI::App& app, Commands& c) {
   drive->add_flag("--unlock", o.unlock, translated(texts::drive_command::unlock));
   takes(drive->add_option("--accept", o.accepted, translated(texts::drive_command::accept))->allow_extra_args(false),
         plain_text(texts::drive_command::row));
+  drive->add_flag("--check", o.check, translated(texts::drive_command::check));
+  whole_number(drive->add_option("--from", o.from, translated(texts::drive_command::from)), 1, 2'000'000'000);
+  number(drive->add_option("--clear", o.clear, translated(texts::drive_command::clear)), "MM", -10000, 10000);
+  number(drive->add_option("--spin-up", o.spin_up, translated(texts::drive_command::spin_up)), plain_text(texts::values::seconds), 0, 120)
+      ->capture_default_str();
+  whole_number(drive->add_option("--feed", o.feed, translated(texts::drive_command::feed)), 10, 200)->capture_default_str();
   number(drive->add_option("--ahead", o.ahead, translated(texts::drive_command::ahead)), plain_text(texts::values::seconds), 0, 60)
       ->capture_default_str();
   writes_file(drive->add_option("--log", o.log, translated(texts::drive_command::log)))->capture_default_str();

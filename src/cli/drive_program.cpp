@@ -8,6 +8,7 @@
 #include "config/language.h"
 #include "convert/conversion.h"
 #include "lang/text/text_spool.h"
+#include "out/text/alarm_print.h"
 #include "texts/drive_command.h"
 #include "view/source_text.h"
 
@@ -33,7 +34,7 @@ std::unique_ptr<DriveProgram> DriveProgram::load(const DriveOptions& options) {
     program->grbl_ = program->job_.def;
     program->setup_ = program->job_.setup;
     program->text_ = utf8_text(open_text(program->job_.file, program->job_.encoding));
-    return program;
+    return program->stop_for_tools() ? std::move(program) : nullptr;
   }
   auto grbl = load_control(driven_control);
   if (!grbl) {
@@ -83,10 +84,43 @@ std::unique_ptr<Session> DriveProgram::session(std::shared_ptr<ByteSource> text,
   return nullptr;
 }
 
+/// Makes each M6, which Grbl does not have, a stop for the operator.
+bool DriveProgram::stop_for_tools() {
+  std::vector<std::uint32_t> lines;
+  auto text = drive::with_tool_stops(text_, lines);
+  if (!text) {
+    complain(translated(texts::drive_command::tool_and_motion, job_.file, lines.back()));
+    return false;
+  }
+  text_ = std::move(text);
+  tools_ = {lines.begin(), lines.end()};
+  return true;
+}
+
+std::unique_ptr<drive::GrblJob> DriveProgram::open(const Setup& setup, const drive::GrblText& text) const {
+  auto opened = session(text.text, setup);
+  return opened ? std::make_unique<drive::GrblJob>(std::move(opened), text, tools_) : nullptr;
+}
+
 std::unique_ptr<drive::GrblJob> DriveProgram::open(const drive::GrblSettings& settings,
                                                    const std::optional<drive::GrblPoint>& position) const {
-  auto opened = session(text_, drive::setup_of_controller(setup_, settings, position, *grbl_));
-  return opened ? std::make_unique<drive::GrblJob>(std::move(opened), text_) : nullptr;
+  return open(drive::setup_of_controller(setup_, settings, position, *grbl_), {text_});
 }
+
+std::unique_ptr<drive::GrblJob> DriveProgram::open(const drive::GrblSettings& settings, const std::optional<drive::GrblPoint>& position,
+                                                   const drive::GrblRestart& restart) const {
+  return open(drive::setup_of_controller(setup_, settings, position, *grbl_), restart.text);
+}
+
+std::optional<drive::GrblRestart> DriveProgram::restart(const drive::GrblSettings& settings, const drive::GrblRestartPlan& plan) const {
+  const Setup setup = drive::setup_of_controller(setup_, settings, std::nullopt, *grbl_);
+  auto made = drive::grbl_restart(
+      text_, [&](std::shared_ptr<ByteSource> text) { return session(std::move(text), setup); }, settings, plan);
+  if (made) return std::move(*made);
+  complain(job_.file + ": " + made.error());
+  return std::nullopt;
+}
+
+void DriveProgram::print(const AlarmReport& alarm) const { write_coloured_message(alarm_text(alarm, job_.texts(), job_.lang, colours())); }
 
 }  // namespace kadr::cli

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "cli/job/keyboard.h"
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
@@ -21,30 +23,32 @@ using drive::LinkEventKind;
 using drive::LinkFault;
 using drive::LinkPhase;
 
-constexpr double key_seconds = 0.01;  // longest wait for bytes; a press of the operator acts within this time
-constexpr double longest_stop = 12;   // time after which a stop is given up, s
+constexpr int feed_step = 10;  // %
 
 class JobRun {
  public:
-  JobRun(drive::GrblDriver& driver, drive::GrblJob& job, std::uint64_t lines)
-      : driver_(driver), link_(driver.link()), job_(job), lines_(lines) {}
+  JobRun(drive::GrblDriver& driver, drive::GrblJob& job, std::uint64_t lines, int feed)
+      : driver_(driver), link_(driver.link()), job_(job), lines_(lines), feed_(feed) {}
 
-  int run() {
+  JobEnd run() {
     if (!link_.begin_job()) {
       complain(translated(texts::drive_command::not_ready, name_of(link_.view().state)));
-      return alarms;
+      return {alarms, {}};
     }
     begun_ = driver_.now();
+    if (feed_ != link_.view().overrides.feed) set_feed(feed_);
     while (!done_) {
       feed(link_, job_);
       keys();
-      for (const LinkEvent& event : driver_.step(key_seconds)) take(event);
+      for (const LinkEvent& event : driver_.step(DriveTimes::key)) take(event);
       show_progress();
       if (!stops_ && interrupted()) stop();
-      if (stops_ && driver_.now() - stop_begun_ > longest_stop) done_ = true;
+      if (stops_ && driver_.now() - stop_begun_ > DriveTimes::stop) done_ = true;
     }
     erase_bar();
-    return interrupted() ? interrupted_status() : status_;
+    end_.status = interrupted() ? interrupted_status() : status_;
+    if (end_.status != ok) end_.continues_at.reset();
+    return end_;
   }
 
  private:
@@ -53,12 +57,29 @@ class JobRun {
       if (key == 'h') link_.hold();
       else if (key == 'r') link_.resume();
       else if (key == 's') stop();
+      else if (key == 'm' && link_.view().phase == LinkPhase::waiting) leave();
+      else if (key == '+' || key == '-') set_feed(feed_ + (key == '+' ? feed_step : -feed_step));
     }
     driver_.flush();
     if (keyboard_.has_ended() && link_.view().phase == LinkPhase::waiting && !stops_) {
       complain(translated(texts::drive_command::no_operator));
       stop();
     }
+  }
+
+  void set_feed(int percent) {
+    feed_ = std::clamp(percent, feed_step, 200);
+    link_.override_feed(feed_);
+    link_.override_rapid(std::min(feed_, 100));
+    say(translated(texts::drive_command::feed_is, feed_));
+  }
+
+  /// Ends the job at its stop, so that the operator can move the machine.
+  void leave() {
+    if (!link_.end_at_stop()) return;
+    end_.continues_at = stop_line_ + 1;
+    end_.by_hand = true;
+    done_ = true;
   }
 
   void stop() {
@@ -77,13 +98,15 @@ class JobRun {
       case LinkEventKind::fault: return fault(event);
       case LinkEventKind::held: return say(translated(texts::drive_command::held, event.line));
       case LinkEventKind::resumed: return say(translated(texts::drive_command::resumed));
-      case LinkEventKind::stop_reached: return say(translated(texts::drive_command::at_stop, event.line, event.text));
+      case LinkEventKind::stop_reached: return at_stop(event);
       case LinkEventKind::message: return say(translated(texts::drive_command::message, event.text));
       case LinkEventKind::probed:
         return say(event.point ? translated(texts::drive_command::probed, point_text(*event.point))
                                : translated(texts::drive_command::probed_nothing));
       case LinkEventKind::finished:
         done_ = true;
+        end_.continues_at = job_.continues_at();
+        if (end_.continues_at) return;
         return say(translated(texts::drive_command::finished, link_.view().sent, duration_text(driver_.now() - begun_)));
       case LinkEventKind::stopped:
         done_ = true;
@@ -91,6 +114,16 @@ class JobRun {
         if (link_.view().state == drive::GrblState::alarm) say(translated(texts::drive_command::position_lost));
         return;
       default: return;
+    }
+  }
+
+  void at_stop(const LinkEvent& event) {
+    stop_line_ = event.line;
+    if (event.changes_tool) {
+      say(translated(texts::drive_command::at_tool, event.line, event.text));
+      if (!keyboard_.has_ended()) leave();
+    } else {
+      say(translated(texts::drive_command::at_stop, event.line, event.text));
     }
   }
 
@@ -127,7 +160,10 @@ class JobRun {
   drive::GrblLink& link_;
   drive::GrblJob& job_;
   std::uint64_t lines_;
+  int feed_;
   Keyboard keyboard_;
+  JobEnd end_;
+  std::uint32_t stop_line_ = 0;
   int status_ = ok;
   bool done_ = false, stops_ = false;
   std::uint32_t line_ = 0;  // on which the tool was when the stop was requested
@@ -159,7 +195,9 @@ std::string fault_text(const LinkEvent& e, double seconds) {
   return {};
 }
 
-int run_job(drive::GrblDriver& driver, drive::GrblJob& job, std::uint64_t lines) { return JobRun(driver, job, lines).run(); }
+JobEnd run_job(drive::GrblDriver& driver, drive::GrblJob& job, std::uint64_t lines, int feed) {
+  return JobRun(driver, job, lines, feed).run();
+}
 
 bool run_command(drive::GrblDriver& driver, const std::string& text, double patience) {
   if (!driver.link().command(text, patience)) {
@@ -167,7 +205,7 @@ bool run_command(drive::GrblDriver& driver, const std::string& text, double pati
     return false;
   }
   while (!interrupted())
-    for (const LinkEvent& event : driver.step(key_seconds)) {
+    for (const LinkEvent& event : driver.step(DriveTimes::key)) {
       if (event.kind == LinkEventKind::fault) {
         complain(fault_text(event, 0));
         return false;

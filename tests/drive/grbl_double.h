@@ -30,21 +30,27 @@ using Point = std::array<double, 3>;
 class GrblDouble {
  public:
   static constexpr double tick = 0.001;  // s
-  static constexpr std::size_t receive_bytes = 128, planner_blocks = 15, longest_line = 80;
+  static constexpr std::size_t planner_blocks = 15, longest_line = 80;
 
   GrblDouble() { banner(); }
 
   // ---- what a test sees
   double now = 0;
-  Point position{};                      // machine position, mm
-  std::vector<std::string> executed;     // every line of G-code that was accepted, in order
-  std::vector<std::string> states;       // the states that were reported
-  std::size_t dropped = 0;               // bytes that found the receive buffer full, or came while the EEPROM was written
-  std::size_t starts = 0;                // how often the axes began to move
-  double moved_at = -1;                  // when the axes last moved
-  std::map<std::string, Point> offsets;  // work offsets by name, G54 …
+  Point position{};                             // machine position, mm
+  std::vector<std::string> executed;            // every line of G-code that was accepted, in order
+  std::vector<std::string> checked;             // every line that was read in check mode
+  bool written_in_check = false;                // the EEPROM was written in check mode
+  double tool_length = 0;                       // G43.1, mm
+  std::vector<std::string> states;              // the states that were reported
+  std::size_t dropped = 0;                      // bytes that found the receive buffer full, or came while the EEPROM was written
+  std::size_t starts = 0;                       // how often the axes began to move
+  double moved_at = -1;                         // when the axes last moved
+  std::map<std::string, Point> offsets;         // work offsets by name, G54 …
+  std::size_t receive_size = 128;               // bytes of the receive buffer, one of which is never used
+  int feed_percent = 100, rapid_percent = 100;  // overrides
   bool spindle = false;
   bool probe_touches = true;
+  double probe_part = 1;         // the part of a probe motion after which it touches
   double line_seconds = 0.0024;  // time for one line: 419 lines/s, measured on grbl-sim
   std::map<int, double> settings = {{0, 10},    {1, 25},    {2, 0},      {3, 0},     {4, 0},      {5, 0},      {6, 0},
                                     {10, 3},    {11, 0.01}, {12, 0.002}, {13, 0},    {20, 0},     {21, 0},     {22, 0},
@@ -80,10 +86,18 @@ class GrblDouble {
       case 0x18: wants_reset_ = true; return;
       case 0x84: wants_door_ = true; return;
       case 0x85: cancels_jog_ = true; return;
+      case 0x90: feed_percent = 100; return;
+      case 0x91: feed_percent = std::min(feed_percent + 10, 200); return;
+      case 0x92: feed_percent = std::max(feed_percent - 10, 10); return;
+      case 0x93: feed_percent = std::min(feed_percent + 1, 200); return;
+      case 0x94: feed_percent = std::max(feed_percent - 1, 10); return;
+      case 0x95: rapid_percent = 100; return;
+      case 0x96: rapid_percent = 50; return;
+      case 0x97: rapid_percent = 25; return;
       default: break;
     }
-    if (static_cast<unsigned char>(byte) > 0x7f) return;  // overrides, which this double does not have, and unknown ones
-    if (receive_.size() >= receive_bytes || now < eeprom_until_) {
+    if (static_cast<unsigned char>(byte) > 0x7f) return;  // overrides of the spindle and coolant, which this double does not have
+    if (receive_.size() + 1 >= receive_size || now < eeprom_until_) {
       ++dropped;
       return;
     }
@@ -121,7 +135,7 @@ class GrblDouble {
   struct PlannedBlock {
     Point to;
     double speed;  // mm/s
-    bool is_probe = false;
+    bool is_rapid = false, is_probe = false;
   };
 
   bool is_moving() const {
@@ -136,6 +150,9 @@ class GrblDouble {
     blocks_.clear();
     is_dead_ = writes_ = is_probing_ = wants_report_ = wants_hold_ = wants_start_ = wants_reset_ = wants_door_ = cancels_jog_ = false;
     spindle = false;
+    tool_length = 0;
+    offsets["G92"] = {};
+    system_ = "G54";
     motion_ = 0;
     is_incremental_ = false;
     is_inch_ = false;
@@ -181,7 +198,7 @@ class GrblDouble {
       PlannedBlock& block = blocks_.front();
       double length = 0;
       for (std::size_t i = 0; i < 3; ++i) length = std::hypot(length, block.to[i] - position[i]);
-      const double need = length / block.speed;
+      const double need = length / (block.speed * (block.is_rapid ? rapid_percent : feed_percent) / 100);
       const double part = need > left ? left / need : 1;
       for (std::size_t i = 0; i < 3; ++i) position[i] = part < 1 ? position[i] + (block.to[i] - position[i]) * part : block.to[i];
       if (length > 0) moved_at = now;
@@ -192,7 +209,13 @@ class GrblDouble {
     }
     if (blocks_.empty() && (state_ == State::run || state_ == State::jog)) state_ = State::idle;
   }
+  /// mc_probe_cycle: the motion ends where the probe touches; without a contact ALARM:5 locks the controller.
   void probed() {
+    planned_ = position;
+    if (!probe_touches) {
+      output_ += "ALARM:5\r\n";
+      state_ = State::alarm;
+    }
     output_ += fmt::format("[PRB:{:.3f},{:.3f},{:.3f}:{}]\r\n", position[0], position[1], position[2], probe_touches ? 1 : 0);
   }
   void start_cycle() {
@@ -242,18 +265,22 @@ class GrblDouble {
   void perform(const std::string& text) {
     if (text.empty()) return answer();
     if (text.front() == '$') return system_line(text);
-    if (state_ == State::alarm || state_ == State::jog) return answer(9);
+    if ((state_ == State::alarm && !is_probing_) || state_ == State::jog) return answer(9);
     code_line(text);
   }
   void system_line(const std::string& text) {
-    const bool rests = state_ == State::idle || state_ == State::alarm;
-    if (text == "$I") output_ += "[VER:1.1h.20190830:]\r\n[OPT:V,15,128]\r\n";
+    const bool rests = state_ == State::idle || state_ == State::alarm || state_ == State::check;
+    if (text == "$I") output_ += fmt::format("[VER:1.1h.20190830:]\r\n[OPT:V,{},{}]\r\n", planner_blocks, receive_size);
     else if (text == "$$" && rests)
       for (const auto& [number, value] : settings) output_ += fmt::format("${}={:.3f}\r\n", number, value);
-    else if (text == "$#")
+    else if (text == "$#") {
       for (const char* const name : {"G54", "G55", "G56", "G57", "G58", "G59", "G28", "G30", "G92"})
         output_ += fmt::format("[{}:{:.3f},{:.3f},{:.3f}]\r\n", name, offsets[name][0], offsets[name][1], offsets[name][2]);
-    else if (text == "$G") output_ += "[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\r\n";
+      output_ += fmt::format("[TLO:{:.3f}]\r\n", tool_length);
+    } else if (text == "$C" && (state_ == State::idle || state_ == State::check)) {
+      if (state_ == State::check) wants_reset_ = true;  // mc_reset
+      state_ = State::check;
+    } else if (text == "$G") output_ += "[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\r\n";
     else if (text == "$X" && rests) {
       if (state_ == State::alarm) output_ += "[MSG:Caution: Unlocked]\r\n";
       state_ = State::idle;
@@ -272,7 +299,47 @@ class GrblDouble {
     } else return answer(rests ? 3 : 8);
     answer();
   }
+  /// Check mode: a line is only read.
+  void check(const std::string& text) {
+    checked.push_back(text);
+    if (text.starts_with("G10")) written_in_check = true;  // settings_write_coord_data is called in this mode too
+    const bool only_read = text.starts_with("G4P") || text.starts_with("G10") || (text.starts_with("M") && !text.starts_with("M6"));
+    const std::string probe = text.starts_with("G38.2") ? text.substr(5) : text;
+    const int error = only_read || text.starts_with("G92") || text.starts_with("G49") || text.starts_with("G43.1") ? 0 : plan(probe, false);
+    blocks_.clear();
+    answer(error);
+  }
+  static std::optional<double> number_after(const std::string& text, char letter) {
+    const std::size_t at = text.find(letter);
+    return at == std::string::npos ? std::nullopt : std::optional(std::atof(text.c_str() + at + 1));
+  }
+  double shift(std::size_t axis) { return offsets[system_][axis] + offsets["G92"][axis] + (axis == 2 ? tool_length : 0); }
+  /// G92, G92.1, G43.1, G49. Returns false if the line is none of them.
+  bool offset_line(const std::string& text) {
+    if (text.starts_with("G92.1")) offsets["G92"] = {};
+    else if (text.starts_with("G92"))
+      for (std::size_t a = 0; a < 3; ++a) {
+        const auto value = number_after(text, "XYZ"[a]);
+        if (value) offsets["G92"][a] += planned_[a] - shift(a) - *value;
+      }
+    else if (text.starts_with("G43.1")) tool_length = number_after(text, 'Z').value_or(0);
+    else if (text.starts_with("G49")) tool_length = 0;
+    else return false;
+    executed.push_back(text);
+    answer();
+    return true;
+  }
+  /// G10 L20 P1 sets G54 so that the position has the stated coordinates, G10 L2 P1 sets it to the values.
+  void write_offset(const std::string& text) {
+    if (!text.starts_with("G10L2")) return;
+    Point& table = offsets[fmt::format("G{}", 53 + static_cast<int>(number_after(text, 'P').value_or(1)))];
+    for (std::size_t a = 0; a < 3; ++a)
+      if (const auto value = number_after(text, "XYZ"[a]))
+        table[a] = text.starts_with("G10L20") ? planned_[a] - *value - offsets["G92"][a] - (a == 2 ? tool_length : 0) : *value;
+  }
   void code_line(const std::string& text) {
+    if (state_ == State::check) return check(text);
+    if (offset_line(text)) return;
     const bool is_dwell = text.starts_with("G4P");
     const bool is_probe = text.starts_with("G38.2");
     const bool writes = text.starts_with("G10") || text.starts_with("G28.1");
@@ -297,6 +364,7 @@ class GrblDouble {
       return;
     }
     if (writes) {
+      write_offset(text);
       eeprom_until_ = now + 0.02;
       writes_ = true;
       waiting_.reset();
@@ -304,7 +372,7 @@ class GrblDouble {
       return;
     }
     if (text.starts_with("M") && !stops) {
-      spindle = text.starts_with("M3") || (spindle && !text.starts_with("M5"));
+      spindle = text.starts_with("M3") || text.starts_with("M4") || (spindle && !text.starts_with("M5"));
       if (text.starts_with("M6")) return answer(20);
       executed.push_back(text);
       return answer();
@@ -316,7 +384,12 @@ class GrblDouble {
     }
     if (is_probe) {
       waiting_ = text;
-      if (plan(text.substr(5), false) == 0 && !blocks_.empty()) blocks_.back().is_probe = true;
+      const Point from = planned_;
+      if (plan(text.substr(5), false) != 0 || blocks_.empty()) return;
+      PlannedBlock& block = blocks_.back();
+      block.is_probe = true;
+      if (probe_touches)
+        for (std::size_t i = 0; i < 3; ++i) block.to[i] = from[i] + (block.to[i] - from[i]) * probe_part;
       return;
     }
     const int error = plan(text, false);
@@ -328,7 +401,7 @@ class GrblDouble {
     Point to = planned_;
     double i = 0, j = 0, feed = feed_;
     int motion = motion_;
-    bool has_axis = false, is_incremental = is_incremental_;
+    bool has_axis = false, is_incremental = is_incremental_, is_machine = false;
     for (std::size_t at = 0; at < text.size();) {
       const char letter = text[at++];
       double value = 0;
@@ -346,7 +419,7 @@ class GrblDouble {
         case 'Y':
         case 'Z': {
           const auto axis = static_cast<std::size_t>(letter - 'X');
-          to[axis] = is_incremental ? planned_[axis] + length : length + offsets["G54"][axis];
+          to[axis] = is_incremental ? planned_[axis] + length : is_machine ? length : length + shift(axis);
           has_axis = true;
           break;
         }
@@ -356,12 +429,14 @@ class GrblDouble {
           if (value == 90) is_incremental = false;
           else if (value == 91) is_incremental = true;
           else if (value == 20 || value == 21) is_inch_ = value == 20;
+          else if (value == 53) is_machine = true;
+          else if (value >= 54 && value <= 59) system_ = fmt::format("G{:g}", value);
           else if (value >= 0 && value <= 3) motion = static_cast<int>(value);
-          else if (value != 17 && value != 94 && value != 54 && value != 40 && value != 49 && value != 80) return 20;
+          else if (value != 17 && value != 94 && value != 91.1 && value != 61 && value != 40 && value != 49 && value != 80) return 20;
           break;
         case 'M':
-          if (value != 3 && value != 5 && value != 9) return 20;
-          spindle = value == 3 || (spindle && value != 5);
+          if (value != 3 && value != 4 && value != 5 && value != 8 && value != 9) return 20;
+          spindle = value == 3 || value == 4 || (spindle && value != 5);
           break;
         default: return 20;
       }
@@ -375,7 +450,7 @@ class GrblDouble {
     if (!has_axis && i == 0 && j == 0) return 0;
     const double speed = (motion == 0 && !is_jog ? settings[110] : std::min(feed, settings[110])) / 60;
     if (motion >= 2) add_arc(to, i, j, motion == 2, speed);
-    if (to != planned_) blocks_.push_back({to, speed});
+    if (to != planned_) blocks_.push_back({to, speed, motion == 0 && !is_jog});
     planned_ = to;
     return 0;
   }
@@ -395,10 +470,10 @@ class GrblDouble {
     states.push_back(state_text());
     const auto used = std::min(blocks_.size(), planner_blocks);
     output_ += fmt::format("<{}|MPos:{:.3f},{:.3f},{:.3f}|Bf:{},{}|FS:{:.0f},0", states.back(), position[0] + 0.0, position[1] + 0.0,
-                           position[2] + 0.0, planner_blocks - used, receive_bytes - receive_.size(),
+                           position[2] + 0.0, planner_blocks - used, receive_size - receive_.size(),
                            is_moving() ? blocks_.front().speed * 60 : 0.0);
     if (++reports_ % 10 == 1) output_ += "|WCO:0.000,0.000,0.000";
-    else if (reports_ % 10 == 2) output_ += "|Ov:100,100,100";
+    else if (reports_ % 10 == 2) output_ += fmt::format("|Ov:{},{},100", feed_percent, rapid_percent);
     output_ += ">\r\n";
   }
 
@@ -409,38 +484,11 @@ class GrblDouble {
   std::optional<std::string> waiting_;  // a line that waits for space in the planner, or for the end of the motion
   std::deque<PlannedBlock> blocks_;
   Point planned_{};
+  std::string system_ = "G54";
   int motion_ = 0, reports_ = 0;
   bool is_incremental_ = false, is_inch_ = false;
   double feed_ = 0, speed_share_ = 1;
   double dwell_until_ = 0, busy_until_ = 0, eeprom_until_ = 0;
-};
-
-/// A serial line in one direction: bytes arrive one after the other at the baud rate.
-class Wire {
- public:
-  explicit Wire(double baud = 115200) : byte_seconds_(10 / baud) {}
-  void send(std::string_view bytes, double now) {
-    for (const char byte : bytes) {
-      free_at_ = std::max(free_at_, now) + byte_seconds_;
-      bytes_.push_back({free_at_, byte});
-    }
-  }
-  /// Returns the next byte that has arrived.
-  std::optional<char> next(double now) {
-    if (bytes_.empty() || bytes_.front().at > now) return std::nullopt;
-    const char byte = bytes_.front().byte;
-    bytes_.pop_front();
-    return byte;
-  }
-  void clear() { bytes_.clear(); }
-
- private:
-  struct Flying {
-    double at;
-    char byte;
-  };
-  double byte_seconds_, free_at_ = 0;
-  std::deque<Flying> bytes_;
 };
 
 }  // namespace kadr::drive::test

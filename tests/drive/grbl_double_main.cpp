@@ -1,6 +1,7 @@
 // The Grbl double behind a pseudo-terminal, for tests/drive.py. It prints the name of the terminal, then serves it in real time. Lines on
-// standard input command it: `limit`, `door`, `reset`, `set N VALUE`, `offset G54 X Y Z`; `quit` or the end of the input ends it. Then it
-// prints the executed lines, and last its state and position.
+// standard input command it: `limit`, `door`, `reset`, `set N VALUE`, `offset G54 X Y Z`, `probe PART` (of a probe motion, after which it
+// touches; 2: never); `quit` or the end of the input ends it. Then it prints the executed lines, what it has read in check mode, and last
+// its state and position.
 
 #include <fcntl.h>
 #include <poll.h>
@@ -28,6 +29,7 @@ bool command(GrblDouble& machine, const std::string& line) {
   else if (name == "door") machine.open_door();
   else if (name == "reset") machine.power_cycle();
   else if (name == "set" && words >> number >> value) machine.settings[number] = value;
+  else if (name == "probe" && words >> value) machine.probe_part = value, machine.probe_touches = value <= 1;
   else if (name == "offset" && words >> offset)
     words >> machine.offsets[offset][0] >> machine.offsets[offset][1] >> machine.offsets[offset][2];
   return name != "quit";
@@ -72,6 +74,7 @@ int main() {
     if (!output.empty() && ::write(master, output.data(), output.size()) < 0) break;
   }
   for (const std::string& line : machine.executed) std::printf("%s\n", line.c_str());
+  if (!machine.checked.empty()) std::printf("checked %zu%s\n", machine.checked.size(), machine.written_in_check ? ", EEPROM written" : "");
   std::printf("%s %.3f %.3f %.3f\n", machine.state_text().c_str(), machine.position[0], machine.position[1], machine.position[2]);
   return 0;
 }

@@ -7,22 +7,29 @@
 
 #include "drive/grbl/grbl_link.h"
 #include "drive/grbl_double.h"
+#include "drive/wire.h"
 
 namespace kadr::drive::test {
 
 enum class Injected : std::uint8_t {
   nothing,
-  lost_from,     // a byte from the controller is lost
-  changed_from,  // a byte from the controller is changed
-  doubled_from,  // a byte from the controller comes twice
-  lost_to,       // a byte to the controller is lost
-  changed_to,    // a byte to the controller is changed
-  cut,           // the cable is pulled: no byte goes either way
-  deaf,          // bytes from the controller no longer arrive
-  reset,         // the controller restarts
-  limit,         // a limit switch
-  door,          // the safety door
-  garbage,       // a burst of random bytes from the controller
+  lost_from,      // a byte from the controller is lost
+  changed_from,   // a byte from the controller is changed
+  doubled_from,   // a byte from the controller comes twice
+  lost_to,        // a byte to the controller is lost
+  changed_to,     // a byte to the controller is changed
+  cut,            // the cable is pulled: no byte goes either way
+  deaf,           // bytes from the controller no longer arrive
+  reset,          // the controller restarts
+  limit,          // a limit switch
+  door,           // the safety door
+  garbage,        // a burst of random bytes from the controller
+  lost_answer,    // a whole answer from the controller is lost
+  mute_a_while,   // nothing from the controller arrives for some time
+  no_probe,       // the probe touches nothing
+  hold_button,    // somebody presses feed hold at the machine, and cycle start later
+  operator_hold,  // the operator of Kadr holds, and resumes later
+  operator_stop,  // the operator of Kadr stops the job
   count
 };
 
@@ -71,6 +78,10 @@ class LinkRig {
     }
     return nullptr;
   }
+  void forget_events() {
+    events.clear();
+    seen_ = 0;
+  }
   bool connect() { return until(LinkEventKind::connected, 10) != nullptr && settle(); }
   /// Waits for a report after connecting.
   bool settle() {
@@ -89,7 +100,8 @@ class LinkRig {
       for (; seen_ < events.size(); ++seen_) {
         const LinkEvent& event = events[seen_];
         if (event.kind == LinkEventKind::stop_reached) link.resume();
-        if (event.kind == LinkEventKind::fault || event.kind == LinkEventKind::finished) return &events[seen_++];
+        if (event.kind == LinkEventKind::fault || event.kind == LinkEventKind::finished || event.kind == LinkEventKind::stopped)
+          return &events[seen_++];
       }
     }
     return nullptr;
@@ -116,9 +128,23 @@ inline std::vector<JobLine> random_job(std::mt19937& random, std::size_t lines) 
     } else if (kind == 1) {
       line.text = fmt::format("M3S{}", any(1, 1000));
     } else if (kind == 2) {
-      line.text = fmt::format("G10L20P1X{}", number);
+      line.text = fmt::format("G10L2P2X{}", number);
       line.kind = LineKind::alone;
       line.seconds = 0.05;
+    } else if (kind == 4 && number % 3 == 0) {
+      GrblPoint to = at;
+      to[2] = std::round(to[2] * 1000 - any(100, 2000)) / 1000;
+      line.text = fmt::format("G38.2F600Z{:.3f}", to[2]);
+      line.kind = LineKind::alone;
+      line.path = {at, to};
+      line.seconds = (at[2] - to[2]) / 10;
+      job.push_back(line);
+      // the modes of the double: a probe motion leaves its feed, and the next line is absolute
+      line.text = fmt::format("G1F3000Z{:.3f}", at[2]);
+      line.number = ++number;
+      line.kind = LineKind::plain;
+      line.path = {to, at};
+      line.seconds = (at[2] - to[2]) / 50;
     } else if (kind == 3 && number % 5 == 0) {
       line.text = "M0";
       line.kind = LineKind::stop;

@@ -164,6 +164,11 @@ struct DriveOptions {
   int baud = 115200;
   double ahead = 0;  // greatest time of motion in the controller's buffers, s; 0: no limit
   bool go = false, status = false, home = false, unlock = false;
+  bool check = false;                 // lets the controller read the whole program in its check mode first
+  std::uint32_t from = 0;             // line at which to begin; 0: at the beginning
+  std::optional<double> clear;        // height above which the way to this line is free, machine coordinates, mm
+  double spin_up = 3;                 // time for the spindle to reach its speed before the tool goes to a line, s
+  int feed = 100;                     // feed override at the beginning, %
   std::vector<std::string> accepted;  // rows of the proof that the user accepts
   std::string out;                    // file for the lines that are sent; empty: none
 };

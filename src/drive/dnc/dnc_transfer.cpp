@@ -16,11 +16,6 @@ char without_parity(char byte) { return static_cast<char>(static_cast<unsigned c
 
 }  // namespace
 
-double characters_per_second(const LineSettings& line) {
-  const int bits = 1 + line.data_bits + (line.parity == Parity::none ? 0 : 1) + line.stop_bits;
-  return static_cast<double>(line.baud) / bits;
-}
-
 DncSender::DncSender(const DncProfile& profile, std::string bytes, double now)
     : handshake_(profile.handshake),
       bytes_(std::move(bytes)),

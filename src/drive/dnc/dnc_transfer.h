@@ -83,7 +83,4 @@ class DncReceiver {
   State state_ = State::waits;
 };
 
-/// Returns the number of characters per second that the line carries.
-double characters_per_second(const LineSettings& line);
-
 }  // namespace kadr::drive

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lang/block/line_word_reader.h"
+#include "drive/grbl/grbl_words.h"
 
 namespace kadr::drive {
 namespace {
@@ -15,26 +15,6 @@ namespace {
 constexpr double chord = 0.01;  // greatest distance of an arc from the chords by which its path is stored, mm
 
 GrblPoint point_of(const Axes& axes) { return {axes[0], axes[1], axes[2]}; }
-
-/// Calls `use` with each word of a filtered line: its letter, its number, and where it begins and ends.
-template <class Use>
-void each_word(std::string_view text, Use use) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t size = size_of_number(text.substr(at + 1));
-    use(text[at], value_of_digits(text.substr(at + 1, size)), at, at + 1 + size);
-    at += 1 + size;
-  }
-}
-
-/// True if the controller writes its EEPROM at this line, during which it loses bytes (eeprom.c): G10, G28.1, G30.1.
-bool writes_eeprom(std::string_view text) {
-  bool writes = false;
-  each_word(text, [&](char letter, double value, std::size_t, std::size_t) {
-    const auto tenths = std::lround(value * 10);
-    writes = writes || (letter == 'G' && (tenths == 100 || tenths == 281 || tenths == 301));
-  });
-  return writes;
-}
 
 /// Returns the line without the words M0 and M1, which Kadr executes itself.
 std::string without_stop(std::string_view text) {
@@ -48,13 +28,15 @@ std::string without_stop(std::string_view text) {
 
 }  // namespace
 
-GrblJob::GrblJob(std::unique_ptr<Session> session, std::shared_ptr<ByteSource> text)
-    : text_(std::move(text)), reader_(text_), session_(std::move(session)) {
+GrblJob::GrblJob(std::unique_ptr<Session> session, GrblText text, std::set<std::uint32_t> tools)
+    : text_(std::move(text)), tools_(std::move(tools)), reader_(text_.text), session_(std::move(session)) {
   Outlets& outlets = session_->outlets();
   outlets.wants_times = true;
   outlets.warning = [](const AlarmReport&) {};
   outlets.alarm = [this](const AlarmReport& report) {
     needs_.alarm = report;
+    alarm_line_ = report.origin.line;
+    needs_.alarm->origin.line = text_.line_in_program(alarm_line_);
     return false;
   };
   if (session_->look_ahead()) outlets.timed = [this](const Step& step, double longer) { take(step, longer); };
@@ -88,7 +70,8 @@ void GrblJob::add_path(const Step& step, const Motion& motion, OfLine& line) {
   if (!needs_.first_target && from != to) {
     needs_.start = from;
     needs_.first_target = to;
-    needs_.first_line = step.action.origin.line;
+    first_at_ = step.action.origin.line;
+    needs_.first_line = text_.line_in_program(step.action.origin.line);
   }
   const Curve& curve = step.curve();
   const int pieces = curve.straight() ? 1 : curve.pieces(chord);
@@ -119,32 +102,34 @@ void GrblJob::run_past(std::uint32_t line) {
 void GrblJob::push(JobLine line) {
   ++(line.kind == LineKind::stop ? needs_.stops : needs_.lines);
   needs_.seconds += line.seconds;
-  if (line.number == needs_.first_line && needs_.first_text.empty()) needs_.first_text = line.text;
   ready_.push_back(std::move(line));
 }
 
 std::optional<JobLine> GrblJob::next() {
   Line source;
   std::vector<std::uint32_t> place;
-  while (ready_.empty() && !needs_.refused && reader_.next(source)) {
+  while (ready_.empty() && !needs_.refused && !continues_at_ && reader_.next(source)) {
+    const std::uint32_t number = text_.line_in_program(source.number);
     const std::string text = filtered(source.bytes, place);
     if (text.empty() || text == "%") continue;  // senders leave `%` out (spec/grbl 1.1)
     run_past(source.number);
-    if (needs_.alarm && needs_.alarm->origin.line <= source.number) return std::nullopt;
+    if (needs_.alarm && alarm_line_ <= source.number) return std::nullopt;
     if (text.front() == '$') {
-      needs_.refused = source.number;
+      needs_.refused = number;
       return std::nullopt;
     }
+    if (source.number == first_at_) needs_.first_text = text;
     OfLine done;
     if (const auto found = steps_.find(source.number); found != steps_.end()) {
       done = std::move(found->second);
       steps_.erase(steps_.begin(), std::next(found));
     }
     needs_.probes = needs_.probes || done.probes;
-    JobLine line{done.stops ? without_stop(text) : text, source.number, LineKind::plain, done.seconds, std::move(done.path)};
+    JobLine line{done.stops ? without_stop(text) : text, number, LineKind::plain, done.seconds, std::move(done.path), done.probes};
     if (done.probes || writes_eeprom(text)) line.kind = LineKind::alone;
     if (!line.text.empty()) push(std::move(line));
-    if (done.stops) push({text, source.number, LineKind::stop, 0, {}});
+    if (done.stops) push({text, number, LineKind::stop, 0, {}, false, tools_.contains(number)});
+    if (done.probes && !passes_probes_) continues_at_ = number + 1;
   }
   if (ready_.empty()) return std::nullopt;
   JobLine line = std::move(ready_.front());

@@ -9,7 +9,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
+#include "drive/grbl/grbl_restart.h"
 #include "drive/grbl/grbl_settings.h"
 #include "drive/grbl/job_line.h"
 #include "session/session.h"
@@ -35,10 +37,17 @@ struct JobNeeds {
 class GrblJob {
  public:
   /// `session` has the program and has not begun; `text` is the text of the same program.
-  GrblJob(std::unique_ptr<Session> session, std::shared_ptr<ByteSource> text);
+  ///   tools  the lines whose stop is a tool change (with_tool_stops())
+  GrblJob(std::unique_ptr<Session> session, GrblText text, std::set<std::uint32_t> tools = {});
 
   /// Returns the next line, nullopt at the end. A line without words is left out.
+  ///
+  /// After a probe motion there is an end too, because only the machine knows where it ended: continues_at() then is the line from which a
+  /// new job must be made.
   std::optional<JobLine> next();
+  std::optional<std::uint32_t> continues_at() const { return continues_at_; }
+  /// Lets next() go on after a probe motion as if it had touched at its end. For looking at the whole program.
+  void pass_probes() { passes_probes_ = true; }
   /// What the lines returned so far need. After the last one, the program as a whole.
   const JobNeeds& needs() const { return needs_; }
 
@@ -53,12 +62,16 @@ class GrblJob {
   void run_past(std::uint32_t line);
   void push(JobLine line);
 
-  std::shared_ptr<ByteSource> text_;
+  GrblText text_;
+  std::set<std::uint32_t> tools_;
   LineReader reader_;
   std::unique_ptr<Session> session_;
   std::map<std::uint32_t, OfLine> steps_;  // what the lines do that were executed and not returned yet
+  std::uint32_t alarm_line_ = 0;           // line of the text with the alarm
+  std::uint32_t first_at_ = 0;             // line of the text with the first motion
   std::uint32_t executed_ = 0;             // last line of which a step has come
-  bool ended_ = false;
+  bool ended_ = false, passes_probes_ = false;
+  std::optional<std::uint32_t> continues_at_;
   std::deque<JobLine> ready_;
   JobNeeds needs_;
 };

@@ -57,7 +57,7 @@ void GrblLink::line(std::string_view text) {
 
 /// An answer to the oldest line that is not answered: `ok`, or the number of an error.
 void GrblLink::answer(std::optional<int> error) {
-  progress_at_ = now_;
+  progress_at_ = answered_at_ = now_;
   idle_reports_ = 0;
   if (in_flight_.empty()) {
     if (is_at_work()) fault(LinkFault::extra_answer);
@@ -154,7 +154,8 @@ void GrblLink::report(const GrblReport& report) {
   if (report.overrides) view_.overrides = *report.overrides;
   const bool is_empty = !report.free || (report.free->blocks >= settings_.planner_blocks.value_or(0) &&
                                          report.free->bytes >= settings_.buffer_bytes.value_or(0));
-  idle_reports_ = report.state == GrblState::idle && is_empty ? idle_reports_ + 1 : 0;
+  const bool rests = report.state == GrblState::idle || report.state == GrblState::check;
+  idle_reports_ = rests && is_empty ? idle_reports_ + 1 : 0;
   if (view_.phase == LinkPhase::opening) {
     if (!options_.resets) {
       view_.phase = LinkPhase::ready;
@@ -193,6 +194,8 @@ void GrblLink::job_report() {
   if (view_.free && total_bytes > 0 && total_bytes - view_.free->bytes > static_cast<int>(view_.bytes_in_flight))
     return fault(LinkFault::buffer_wrong, total_bytes - view_.free->bytes, view_.line.value_or(0));
   if (!view_.machine) return;
+  if (only_checks_) view_.executed = view_.accepted;
+  if (only_checks_) return;
   const std::optional<int> in_use =
       view_.free && settings_.planner_blocks ? std::optional(*settings_.planner_blocks - view_.free->blocks) : std::nullopt;
   const Tracked tracked = tracker_.at(*view_.machine, in_use);

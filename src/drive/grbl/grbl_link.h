@@ -36,6 +36,9 @@ struct LinkOptions {
   std::size_t buffer = 127;       // usable bytes of the receive buffer, until the controller states its own number
   std::size_t ahead = 64;         // most lines that are kept in the link before they are sent
   double most_seconds_ahead = 0;  // most time of motion that is sent in advance, s; 0: no limit besides the buffers
+  // Characters per second that the line carries; 0: not known. A line is sent only when the line has carried nearly everything before it:
+  // a real-time command cannot overtake what lies in the operating system's driver.
+  double line_rate = 0;
 };
 
 enum class LinkPhase : std::uint8_t {
@@ -91,6 +94,7 @@ struct LinkEvent {
   std::uint32_t line = 0;            // program line that the event is about; 0: none
   std::string text;                  // what the controller sent, or the text of the line
   double value = 0;                  // distance, mm
+  bool changes_tool = false;         // the stop is a tool change
   std::optional<GrblPoint> point{};  // what the probe touched, machine coordinates
 };
 
@@ -124,8 +128,9 @@ class GrblLink {
   /// The port reported an error.
   void port_lost();
 
-  /// Begins a job. The lines follow by offer(); end_of_job() says that no line follows.
-  ///   returns  false if the phase is not `ready`
+  /// Begins a job. The lines follow by offer(); end_of_job() says that no line follows. If the controller is in its check mode ($C), it
+  /// only reads the lines: nothing moves, and stops are passed over.
+  ///   returns  false if the phase is not `ready`, or the controller is neither idle nor in its check mode
   bool begin_job();
   /// True if the job can accept a further line now.
   bool wants_line() const { return is_job_open_ && queue_.size() < options_.ahead; }
@@ -137,6 +142,12 @@ class GrblLink {
   ///   patience  time that the line may need, s
   ///   returns   false if the phase is not `ready`, or a line is not answered yet
   bool command(const std::string& text, double patience);
+  /// Reads the offsets and the modes again ($#, $G), after something was set by hand. The event `connected` follows.
+  ///   returns   false as command() does
+  bool ask_offsets();
+  /// Sets the feed override, 10 to 200 %, by the steps that the controller knows; and that of rapids: 100, 50 or 25 %.
+  void override_feed(int percent);
+  void override_rapid(int percent);
   /// Cancels a jog (real-time command 0x85).
   void cancel_jog() { urgent_ += '\x85'; }
 
@@ -144,6 +155,9 @@ class GrblLink {
   void hold();
   /// Continues after a hold, or after a stop of the program. Ignored in all other phases.
   void resume();
+  /// Ends the job at the stop of the program at which it waits, so that the operator can move the machine. Returns false if it does not
+  /// wait.
+  bool end_at_stop();
   /// Ends the job: feed hold, standstill, reset of the controller. May be repeated.
   void stop();
 
@@ -153,6 +167,8 @@ class GrblLink {
   const LinkView& view() const { return view_; }
   const GrblSettings& settings() const { return settings_; }
   double seconds_pending() const { return tracker_.seconds_pending(); }
+  /// Number of lines that are kept for the controller and for the executed line. It has a limit that does not depend on the job's length.
+  std::size_t lines_kept() const { return queue_.size() + in_flight_.size() + tracker_.pending(); }
 
  private:
   struct Sent {
@@ -175,6 +191,8 @@ class GrblLink {
 
   void ask_next();
   void pump();
+  bool is_line_free() const;
+  bool waits_for_rest() const;
   void send_line(Sent sent);
   void fault(LinkFault fault, int number = 0, std::uint32_t line = 0, std::string text = {}, double value = 0);
   void end_job();
@@ -198,10 +216,13 @@ class GrblLink {
   std::deque<JobLine> queue_;       // lines of the job that are not sent yet
   bool is_job_open_ = false;        // the job accepts lines
   bool job_ended_ = false;          // no further line follows
+  bool only_checks_ = false;        // the controller is in its check mode
   bool waits_for_hold_ = false;     // `!` was sent, and no report has shown the hold yet
   std::size_t question_ = 0;        // index of the question that is being asked
   double opened_at_ = 0, heard_at_ = 0, asked_at_ = 0, progress_at_ = 0, stopping_at_ = 0, resumed_at_ = 0;
-  bool report_asked_ = false;  // a report is requested and has not come
+  double answered_at_ = 0;      // when the last line was answered, s
+  double line_busy_until_ = 0;  // when the line will have carried everything that was sent, s
+  bool report_asked_ = false;   // a report is requested and has not come
   bool reset_sent_ = false;
   bool is_alone_ = false;            // nothing may follow the last sent line before its answer
   int idle_reports_ = 0;             // consecutive reports, since the last answer, of a controller that has nothing to do

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 #include "drive/grbl/grbl_link.h"
@@ -10,10 +11,13 @@ namespace kadr::drive {
 namespace {
 
 constexpr std::array<const char*, 4> questions = {"$I", "$$", "$#", "$G"};
+constexpr std::size_t first_changing_question = 2;  // $# and $G: what the operator can change
 constexpr double hold_wait = 0.5;       // time after `!` in which a report must show the hold, s; then the controller is reset at once
 constexpr double longest_brake = 5;     // time that the axes may need to stop, s
 constexpr double ask_again = 1;         // time after which a report that has not come is requested again, s
 constexpr double quick_reports = 0.05;  // time between two requests while the axes brake, s
+constexpr double rest_reports = 0.1;    // the same while the job waits for the end of all motions, s
+constexpr double driver_time = 0.005;   // how long the line may still have to carry when the next line is sent, s
 constexpr double slower = 1.5;          // how much longer the motions may take than Kadr computes
 constexpr char reset_byte = '\x18';
 
@@ -31,7 +35,8 @@ void GrblLink::port_lost() {
 }
 
 bool GrblLink::begin_job() {
-  if (view_.phase != LinkPhase::ready || !in_flight_.empty() || view_.state != GrblState::idle) return false;
+  only_checks_ = view_.state == GrblState::check;
+  if (view_.phase != LinkPhase::ready || !in_flight_.empty() || (view_.state != GrblState::idle && !only_checks_)) return false;
   tracker_.clear();
   view_.sent = view_.accepted = view_.executed = stops_passed_ = 0;
   view_.line.reset();
@@ -43,12 +48,42 @@ bool GrblLink::begin_job() {
 }
 
 void GrblLink::offer(JobLine line) {
-  if (wants_line()) queue_.push_back(std::move(line));
+  if (!wants_line() || (only_checks_ && line.kind == LineKind::stop)) return;
+  if (only_checks_) {
+    line.path.clear();
+    line.seconds = 0;
+  }
+  queue_.push_back(std::move(line));
 }
 
 bool GrblLink::command(const std::string& text, double patience) {
   if (view_.phase != LinkPhase::ready || !in_flight_.empty()) return false;
   send_line({text.size() + 1, 0, text, false, patience});
+  return true;
+}
+
+bool GrblLink::ask_offsets() {
+  if (view_.phase != LinkPhase::ready || !in_flight_.empty()) return false;
+  view_.phase = LinkPhase::asking;
+  question_ = first_changing_question;
+  ask_next();
+  return true;
+}
+
+void GrblLink::override_feed(int percent) {
+  constexpr char whole = '\x90', ten_more = '\x91', ten_less = '\x92', one_more = '\x93', one_less = '\x94';
+  const int change = std::clamp(percent, 10, 200) - 100;
+  urgent_ += whole;
+  urgent_.append(static_cast<std::size_t>(std::abs(change) / 10), change > 0 ? ten_more : ten_less);
+  urgent_.append(static_cast<std::size_t>(std::abs(change) % 10), change > 0 ? one_more : one_less);
+}
+
+void GrblLink::override_rapid(int percent) { urgent_ += percent <= 25 ? '\x97' : percent <= 50 ? '\x96' : '\x95'; }
+
+bool GrblLink::end_at_stop() {
+  if (view_.phase != LinkPhase::waiting) return false;
+  end_job();
+  view_.phase = LinkPhase::ready;
   return true;
 }
 
@@ -64,6 +99,9 @@ void GrblLink::resume() {
     ++stops_passed_;
   } else if (view_.phase == LinkPhase::held) {
     urgent_ += '~';
+  } else if (view_.phase == LinkPhase::ready && (view_.state == GrblState::hold || view_.state == GrblState::door)) {
+    urgent_ += '~';  // a hold without a job
+    return;
   } else {
     return;
   }
@@ -112,8 +150,18 @@ void GrblLink::send_line(Sent sent) {
   if (in_flight_.empty()) progress_at_ = now_;
   idle_reports_ = 0;
   output_.push_back(sent.text + '\n');
+  if (options_.line_rate > 0) line_busy_until_ = std::max(line_busy_until_, now_) + static_cast<double>(sent.bytes) / options_.line_rate;
   view_.bytes_in_flight += sent.bytes;
   in_flight_.push_back(std::move(sent));
+}
+
+/// True if the line has carried nearly everything that was sent.
+bool GrblLink::is_line_free() const { return options_.line_rate <= 0 || line_busy_until_ - now_ <= driver_time; }
+
+/// True if everything is sent and answered, and the job goes on or ends when the motions have ended.
+bool GrblLink::waits_for_rest() const {
+  const bool is_at_stop = !queue_.empty() && queue_.front().kind == LineKind::stop;
+  return view_.phase == LinkPhase::running && in_flight_.empty() && (is_at_stop || (queue_.empty() && job_ended_));
 }
 
 /// Sends the lines of the job for which the controller has space.
@@ -123,13 +171,15 @@ void GrblLink::pump() {
     if (next.kind == LineKind::stop) {
       if (!is_all_executed()) return;
       view_.phase = LinkPhase::waiting;
-      return note(LinkEventKind::stop_reached, next.number, next.text);
+      note(LinkEventKind::stop_reached, next.number, next.text);
+      events_.back().changes_tool = next.changes_tool;
+      return;
     }
     const std::size_t bytes = next.text.size() + 1;
     const bool waits_alone = !in_flight_.empty() && (is_alone_ || next.kind == LineKind::alone);
     const bool is_too_far = options_.most_seconds_ahead > 0 && tracker_.pending() > 0 &&
                             tracker_.seconds_pending() + next.seconds > options_.most_seconds_ahead;
-    if (waits_alone || is_too_far || (view_.bytes_in_flight + bytes > options_.buffer && !in_flight_.empty())) return;
+    if (waits_alone || is_too_far || !is_line_free() || (view_.bytes_in_flight + bytes > options_.buffer && !in_flight_.empty())) return;
     tracker_.sent(next);
     ++view_.sent;
     is_alone_ = next.kind == LineKind::alone;
@@ -215,7 +265,8 @@ void GrblLink::check_stopping() {
 void GrblLink::ask_report() {
   const bool opens = view_.phase == LinkPhase::opening;
   if (opens && options_.resets && now_ - opened_at_ < options_.banner_wait && !reset_sent_) return;
-  const double every = view_.phase == LinkPhase::stopping ? quick_reports : options_.report_every;
+  double every = view_.phase == LinkPhase::stopping ? quick_reports : options_.report_every;
+  if (waits_for_rest()) every = answered_at_ > asked_at_ ? 0 : std::min(rest_reports, every);  // at once after the last answer
   if (now_ - asked_at_ < (report_asked_ ? std::max(ask_again, every) : every)) return;
   const bool still_moves = view_.state == GrblState::run || view_.state == GrblState::jog;
   if (still_moves && (view_.phase == LinkPhase::faulted || (view_.phase == LinkPhase::held && waits_for_hold_))) urgent_ += '!';

@@ -23,6 +23,8 @@ struct JobLine {
   LineKind kind = LineKind::plain;
   double seconds = 0;           // how long the controller needs for it, s
   std::vector<GrblPoint> path;  // points of its path in machine coordinates, mm; empty: the line moves nothing
+  bool probes = false;          // a probe motion
+  bool changes_tool = false;    // a stop for a tool change
 };
 
 }  // namespace kadr::drive

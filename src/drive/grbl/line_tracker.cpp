@@ -39,11 +39,15 @@ Nearest nearest_on(const GrblPoint& a, const GrblPoint& b, const GrblPoint& p, d
 }  // namespace
 
 void LineTracker::sent(const JobLine& line) {
-  lines_.push_back({line.number, line.seconds, line.path});
+  lines_.push_back({line.number, line.seconds, line.path, line.probes});
   seconds_ += line.seconds;
 }
 
-void LineTracker::accepted() { accepted_ = std::min(accepted_ + 1, lines_.size()); }
+void LineTracker::accepted() {
+  accepted_ = std::min(accepted_ + 1, lines_.size());
+  // A line that moves nothing is executed when it is accepted, if everything before it is executed.
+  while (accepted_ > 0 && lines_.front().path.empty()) drop(1);
+}
 
 void LineTracker::drop(std::size_t entries) {
   for (; entries > 0; --entries) {
@@ -51,6 +55,7 @@ void LineTracker::drop(std::size_t entries) {
     if (!lines_.front().path.empty()) {
       last_line_ = lines_.front().number;
       end_ = lines_.front().path.back();
+      if (lines_.front().probes) end_.reset();  // it ends where the probe touches
     }
     lines_.pop_front();
     accepted_ -= std::min<std::size_t>(accepted_, 1);
@@ -112,9 +117,16 @@ Tracked LineTracker::at(const GrblPoint& machine, std::optional<int> blocks_in_u
   result.off = best;
   result.on_path = best <= tolerance_;
   if (!result.on_path) return result;
-  // A line that has not begun may lie where the tool is: at its first point nothing of it is executed yet.
+  // A line that has not begun may lie where the tool is: at its first point nothing of it is executed yet, and the tool is at the end of
+  // the line before it.
   const bool has_begun = found->entry == 0 || found->along > tolerance_ || found->segment > 0;
-  if (!has_begun) return result;
+  if (!has_begun) {
+    std::size_t before = found->entry - 1;
+    while (before > 0 && lines_[before].path.empty()) --before;
+    const auto& path = lines_[before].path;
+    if (path.size() < 2 || nearest_on(path.back(), path.back(), machine, 0).distance > 2 * tolerance_) return result;
+    found = Place{before, path.size() - 2, 0};
+  }
   drop(found->entry);
   now_ = {0, found->segment, found->along};
   result.line = last_line_ = lines_.front().number;

@@ -53,6 +53,7 @@ class LineTracker {
     std::uint32_t number;
     double seconds;
     std::vector<GrblPoint> path;
+    bool probes;
   };
   struct Place {
     std::size_t entry = 0, segment = 0;

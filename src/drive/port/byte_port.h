@@ -31,10 +31,25 @@ struct LineSettings {
   bool rts_cts = false;  // handshake by the wires RTS and CTS
 };
 
+/// Removes the commands of the Telnet protocol (RFC 854) from what a controller in a network sends, also if they come in pieces.
+class TelnetFilter {
+ public:
+  std::string data_in(std::string_view bytes);
+
+ private:
+  enum class Expects : std::uint8_t { data, command, option, parameters, end_of_parameters };
+  Expects expects_ = Expects::data;
+};
+
 /// Opens a port and locks it, so that no other program can send to the same machine.
 ///   name     a device such as /dev/serial/by-id/…, or tcp:HOST:PORT
 ///   returns  an error sentence in the language of the thread
 tl::expected<std::unique_ptr<BytePort>, std::string> open_port(const std::string& name, const LineSettings& line);
+
+/// Returns the number of characters per second that a serial line carries.
+double characters_per_second(const LineSettings& line);
+/// Returns the number of characters per second that the port `name` carries; 0 if it has no rate of its own, as a TCP connection.
+double characters_per_second(const std::string& name, const LineSettings& line);
 
 /// True if a serial line can have this rate, bit/s.
 bool is_baud_rate(int baud);
