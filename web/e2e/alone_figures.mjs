@@ -17,8 +17,8 @@ export async function alone_figures({ page, address, drop, ended }) {
     await page.goto("about:blank");
     const begin = Date.now();
     await page.goto(address);
-    await until("the files", () => page.locator(".file-row").count());
-    told.push(`${visit} visit: list of files after ${Date.now() - begin} ms`);
+    await until("the files", () => page.locator(".file-row, .examples button").count());
+    told.push(`${visit} visit: files and examples after ${Date.now() - begin} ms`);
   }
   for (const count of [100_000, 1_000_000]) {
     const name = `lines_${count}.nc`;
