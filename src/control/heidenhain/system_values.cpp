@@ -48,7 +48,9 @@ Result<double> Heidenhain::system_value(BlockContext& m, double id, double numbe
   const auto group = static_cast<int>(id), row = static_cast<int>(number);
   const std::size_t a = axis();
   switch (group) {
-    case 10: return row == 3 ? static_cast<double>(memory.cycle) : row == 1 ? (m.modal.inch ? 1.0 : 0.0) : 0.0;
+    case 10:
+      if (row == 103) return index >= 0 && memory.given(static_cast<std::size_t>(index)) ? 1.0 : 0.0;
+      return row == 3 ? static_cast<double>(memory.cycle) : row == 1 ? (m.modal.inch ? 1.0 : 0.0) : 0.0;
     case 20:
       switch (row) {
         case 1: return static_cast<double>(m.modal.tool);

@@ -96,8 +96,20 @@ void CornerResolver::next(ActionBatch& batch, std::size_t place, Follows follows
   else out_.add() = std::move(action);
 }
 
+/// Returns true for a motion of the tool axis between a motion with a corner and the second element of the corner (spec/heidenhain 6).
+bool CornerResolver::waits_at_corner(const Motion& m) const {
+  if (!now_.held || !held().corner_first || !is_shaped(contour_of(held())) || now_.waiting.size() == max_waiting) return false;
+  const bool same_plane = m.first == held().first && m.second == held().second;
+  return same_plane && !is_arc(m.kind) && contour_of(m) == nullptr && length(in_plane(m.to, m) - now_.held->end) <= tol::same_point;
+}
+
 void CornerResolver::motion(Action& action, End end) {
   const auto& m = std::get<Motion>(action.what);
+  if (waits_at_corner(m)) {
+    now_.at.take(m);
+    now_.waiting.push_back(std::move(action));
+    return;
+  }
   const CornerData* const c = contour_of(m);
   std::optional<Start> start = Start{in_plane(now_.at.work, m), {}, 0, false};
   if (now_.held) start = join(action, end);
@@ -237,7 +249,11 @@ void CornerResolver::let_go(Vec2 corner, const CornerElement& inserted, Certaint
     if (!used_up) forward_action(std::move(last), certainty);
     forward_action(std::move(between), certainty);
   }
-  for (Action& action : now_.waiting) forward_action(std::move(action), certainty);
+  for (Action& action : now_.waiting) {
+    if (auto* const along = motion_of(action))
+      shift_in_plane(*along, along->first, along->second, inserted.to - now_.held->end, now_.at.turn.get());
+    forward_action(std::move(action), certainty);
+  }
   now_.waiting.clear();
   now_.held.reset();
 }

@@ -71,6 +71,7 @@ class CornerResolver {
   void follow(const ActionBatch& batch, std::size_t from, std::size_t end);
   void next(ActionBatch& batch, std::size_t place, Follows follows);
   void motion(Action& action, End end);
+  bool waits_at_corner(const Motion& m) const;
   std::optional<Start> join(const Action& action, End end);
   std::optional<ContourElement> element_from(Vec2 corner, const Motion& m, End end) const;
   std::optional<ContourElement> held_element(Vec2 end) const;
