@@ -16,6 +16,7 @@
 #include "cli/job/progress.h"
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
+#include "config/json_text.h"
 #include "config/language.h"
 #include "config/setup/setup_blank.h"
 #include "out/picture/part_page.h"
@@ -96,7 +97,7 @@ bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, 
   if (!joined && !write_meshes(options, outputs, cut.surface, cut.held, cut.run.cutting(), result)) return false;
   if (interrupted()) return false;
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
-    write_data(file, cut_json(result, cut.run.alarms(), cut.run.warnings()).dump() + "\n");
+    write_data(file, json_text(cut_json(result, cut.run.alarms(), cut.run.warnings())) + "\n");
   if (const auto drawn = draw(options, job, outputs, cut, result); !drawn) {
     complain(drawn.error());
     return false;

@@ -15,6 +15,7 @@
 #include "cli/job/progress.h"
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
+#include "config/json_text.h"
 #include "config/language.h"
 #include "out/picture/part_page.h"
 #include "out/text/cut_load_text.h"
@@ -99,7 +100,7 @@ bool write_results(const TurnedCut& c, const TurnedRun& run, const CutResult& re
     if (!write_part(options.out, turned_mesh(run.cutting().stock().region(), deviation), file)) return false;
   }
   if (std::FILE* const file = c.outputs.stream("--json"); file != nullptr)
-    write_data(file, cut_json(result, run.alarms(), run.warnings()).dump() + "\n");
+    write_data(file, json_text(cut_json(result, run.alarms(), run.warnings())) + "\n");
   if (const auto drawn = draw(c, run.cutting(), result); !drawn) {
     complain(drawn.error());
     return false;

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "config/json_text.h"
 #include "config/machine/machine_codes.h"
 #include "config/setup/setup_check.h"
 #include "config/setup/setup_keys.h"
@@ -153,7 +154,7 @@ bool wears_alike(const ControlDef& from, const ControlDef& to) { return is_lathe
 bool allows_key(const ControlDef& def, const char* key) {
   const SetupKey& row = *setup_key(key);
   // The names in a table depend on the control, so that its example may be wrong there.
-  const nlohmann::json value = row.form == SetupForm::table ? nlohmann::json::object() : nlohmann::json::parse(row.example);
+  const nlohmann::json value = row.form == SetupForm::table ? nlohmann::json::object() : json_of(row.example);
   const nlohmann::json table = {{key, value}};
   return !fault_of(table, table, &def);
 }
@@ -362,7 +363,7 @@ std::string setup_text(const Setup& setup) {
   if (setup.tool != 0) all["tool"] = setup.tool;
   if (!setup.skip.empty()) all["skip"] = setup.skip;
   if (setup.optional_stop) all["optional_stop"] = true;
-  return all.dump(1) + "\n";
+  return json_text(all, 1) + "\n";
 }
 
 }  // namespace kadr

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "config/json_text.h"
 #include "config/texts.h"
 #include "lang/expression/expression.h"
 #include "out/text/alarm_print.h"
@@ -71,7 +72,7 @@ void DebugAdapter::output(const std::string& text, const char* category) {
 
 void DebugAdapter::take(std::string_view text) {
   set_thread_language(lang_);
-  const LspJson message = LspJson::parse(text, nullptr, false);
+  const LspJson message = json_of(text);
   if (!message.is_object() || text_or(message, "type", "") != "request" || !message.contains("seq") || !message["seq"].is_number_integer())
     return output(translated(texts::dap::no_request), "stderr");
   const std::string command = text_or(message, "command", "");

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "config/json_text.h"
 #include "config/texts.h"
 #include "lsp/features.h"
 #include "lsp/workspace_folders.h"
@@ -85,7 +86,7 @@ void LanguageServer::refuse_cancelled(const LspJson& id) {
 
 void LanguageServer::take(std::string_view text) {
   set_thread_language(choice_.lang);
-  const LspJson message = LspJson::parse(text, nullptr, false);
+  const LspJson message = json_of(text);
   if (message.is_discarded())
     return answer(nullptr, "error", {{"code", LspFault::parse_error}, {"message", translated(texts::lsp::no_json)}});
   const auto id = message.is_object() ? message.find("id") : message.end();

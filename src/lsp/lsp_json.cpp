@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/ascii.h"
+#include "config/json_text.h"
 #include "config/texts.h"
 #include "texts/lsp.h"
 
@@ -88,6 +89,6 @@ std::string uri_of_path(std::string_view path) {
   return uri;
 }
 
-std::string dumped_message(const LspJson& json) { return json.dump(-1, ' ', false, LspJson::error_handler_t::replace); }
+std::string dumped_message(const LspJson& json) { return json_text(json); }
 
 }  // namespace kadr

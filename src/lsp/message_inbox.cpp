@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "config/json_text.h"
+
 namespace kadr {
 
 MessageInbox::MessageInbox(int input, std::function<void(const std::string&)> on_fault) : on_fault_(std::move(on_fault)) {
@@ -30,7 +32,7 @@ void MessageInbox::read(int input) {
 }
 
 void MessageInbox::put(std::string message) {
-  LspJson json = LspJson::parse(message, nullptr, false);
+  LspJson json = json_of(message);
   const std::lock_guard hold(lock_);
   const auto is_cancelled = [&](const LspJson& id) {
     const auto found = std::find_if(messages_.begin(), messages_.end(), [&](const Message& one) { return one.id == id; });

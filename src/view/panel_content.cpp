@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "config/json_text.h"
 #include "view/panel_json.h"
 
 namespace kadr {
@@ -36,7 +37,7 @@ std::string spot_text(const PanelLocation& spot) {
 }
 
 std::optional<PanelLocation> spot_of(const std::string& text) {
-  const PageJson json = PageJson::parse(text, nullptr, false);
+  const PageJson json = ordered_json_of(text);
   if (!json.is_object() || !json.contains("machine") || !json["machine"].is_array()) return std::nullopt;
   PanelLocation spot;
   spot.number = json.value("number", 0u), spot.line = json.value("line", 0u);

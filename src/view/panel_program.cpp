@@ -3,6 +3,7 @@
 
 #include "view/panel_program.h"
 
+#include "config/json_text.h"
 #include "config/language.h"
 #include "config/setup/setup_check.h"
 #include "config/setup/setup_file.h"
@@ -22,7 +23,7 @@ Setup standing_at(Setup setup, const std::vector<std::string>& axes, const Axes&
   return setup;
 }
 
-PageJson tables_json(const Setup& tables) { return PageJson::parse(state_json({tables, {}, {}}), nullptr, false); }
+PageJson tables_json(const Setup& tables) { return ordered_json_of(state_json({tables, {}, {}})); }
 
 PageJson part_of(const PageJson& rows, const std::string& name, const std::string& part) {
   const auto row = rows.find(name);
@@ -71,7 +72,7 @@ PageJson difference(const Setup& before, const Setup& after, const Setup& stated
 
 PanelProgram::PanelProgram(OpenedProgram opened, OpeningRequest request)
     : opened_(std::move(opened)), request_(std::move(request)), edited_(PageJson::object()), setup_(opened_.setup) {
-  if (!request_.tables.empty()) edited_ = PageJson::parse(request_.tables, nullptr, false);
+  if (!request_.tables.empty()) edited_ = ordered_json_of(request_.tables);
   if (!edited_.is_object()) edited_ = PageJson::object();
 }
 
@@ -130,7 +131,7 @@ tl::expected<PageJson, std::string> PanelProgram::of_file() const {
   if (request_.setup.empty()) return PageJson::object();
   const auto source = setup_source(request_.setup, request_.door);
   if (!source) return tl::unexpected(source.error());
-  PageJson json = PageJson::parse(source->json, nullptr, false);
+  PageJson json = ordered_json_of(source->json);
   return json.is_object() ? json : PageJson::object();
 }
 

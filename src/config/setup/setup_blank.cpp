@@ -4,11 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "config/json_text.h"
+
 namespace kadr {
 
 SetupBlank setup_blank(std::string_view json) {
   SetupBlank blank;
-  const auto setup = nlohmann::json::parse(json, nullptr, false);
+  const auto setup = json_of(json);
   if (!setup.is_object()) return blank;
   if (const auto stock = setup.find("stock"); stock != setup.end() && stock->is_string()) blank.stock = stock->get<std::string>();
   if (const auto list = setup.find("fixtures"); list != setup.end() && list->is_array())

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "config/json_text.h"
+
 namespace kadr {
 namespace {
 
@@ -149,7 +151,7 @@ std::string state_json(const RunState& state) {
   put_table(to, "place_table", t.place_table, pocket_name, [](int row) { return row; });
   put_table(to, "form_table", t.form_table, row_name, tool_form);
   put_switches(to, t);
-  return to.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  return json_text(to);
 }
 
 }  // namespace kadr

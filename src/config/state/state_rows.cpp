@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "config/json_text.h"
 #include "config/state/state_file.h"
 #include "config/state/state_json.h"
 
@@ -63,7 +64,7 @@ void sort_rows(std::vector<StateRow>& rows) {
 }
 
 std::vector<StateRow> rows_of(const Setup& tables) {
-  const Json state = Json::parse(state_json({tables, {}, {}}));
+  const Json state = json_of(state_json({tables, {}, {}}));
   std::vector<StateRow> rows;
   for (std::size_t t = 0; t < state_table_names.size(); ++t) {
     const auto table = static_cast<StateTable>(t);
@@ -87,7 +88,7 @@ tl::expected<Setup, std::string> setup_of(const StoredState& state) {
     if (has_columns(row.table)) put(table, row.key, to_json(row.value));
     else table[row.key] = to_json(row.value);
   }
-  return parse_setup(setup.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return parse_setup(json_text(setup));
 }
 
 }  // namespace kadr

@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "base/vec.h"
 #include "config/json_scan.h"
+#include "config/json_text.h"
 #include "config/nearest.h"
 #include "config/tools/tool_formats.h"
 #include "texts/tool_formats.h"
@@ -21,7 +22,7 @@ using Failed = tl::unexpected<std::string>;
 
 tl::expected<json, std::string> parsed_json(std::string_view text, const std::string& file) {
   if (const std::string fault = json_fault_message(text, file); !fault.empty()) return Failed(fault);
-  json value = json::parse(text, nullptr, false);
+  json value = json_of(text);
   if (value.is_discarded() || !value.is_object()) return Failed(file + ": " + translated(texts::tool_formats::no_json_object));
   return value;
 }

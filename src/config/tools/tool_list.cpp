@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/json_scan.h"
+#include "config/json_text.h"
 #include "config/tools/insert_keys.h"
 #include "config/tools/tool_row.h"
 #include "texts/tool_library.h"
@@ -87,7 +88,7 @@ nlohmann::ordered_json tool_json(const ToolGeometry& t) {
 
 tl::expected<ToolLibrary, std::string> tools_of_list(std::string_view text) {
   if (const std::string fault = json_fault_message(text, "tools"); !fault.empty()) return Failed(fault);
-  const json list = json::parse(text, nullptr, false);
+  const json list = json_of(text);
   if (!list.is_array() || list.empty() || list.size() > limits::tools)
     return Failed("tools: " + translated(texts::tool_library::list_wanted, limits::tools));
   ToolLibrary library;

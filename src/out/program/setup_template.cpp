@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/alarm_texts.h"
+#include "config/json_text.h"
 
 namespace kadr {
 namespace {
@@ -17,12 +18,11 @@ constexpr double largest_whole = 1e15;  // greatest whole number that is written
 
 std::string inline_text(const nlohmann::ordered_json& value) {
   if (value.is_number_float() && std::fabs(value.get<double>()) < largest_whole) return number_text(value.get<double>());
-  if (!value.is_structured()) return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  if (!value.is_structured()) return json_text(value);
   std::string text;
   for (const auto& [key, one] : value.items()) {
     if (!text.empty()) text += ", ";
-    if (value.is_object())
-      text += nlohmann::ordered_json(key).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + ": ";
+    if (value.is_object()) text += json_text(nlohmann::ordered_json(key)) + ": ";
     text += inline_text(one);
   }
   return value.is_object() ? "{" + text + "}" : "[" + text + "]";
@@ -45,7 +45,7 @@ std::string value_text(const SetupJson& value) {
   std::string text;
   for (const auto& [key, one] : value.items()) {
     text += text.empty() ? "    " : ",\n    ";
-    if (value.is_object()) text += SetupJson(key).dump(-1, ' ', false, SetupJson::error_handler_t::replace) + ": ";
+    if (value.is_object()) text += json_text(SetupJson(key)) + ": ";
     text += inline_text(one);
   }
   return (value.is_object() ? "{\n" : "[\n") + text + (value.is_object() ? "\n  }" : "\n  ]");
@@ -69,8 +69,7 @@ std::string setup_text(const nlohmann::ordered_json& setup) {
   std::string text = "{\n";
   std::size_t left = setup.size();
   for (const auto& [key, value] : setup.items())
-    text += "  " + SetupJson(key).dump(-1, ' ', false, SetupJson::error_handler_t::replace) + ": " + value_text(value) +
-            (--left > 0 ? ",\n" : "\n");
+    text += "  " + json_text(SetupJson(key)) + ": " + value_text(value) + (--left > 0 ? ",\n" : "\n");
   return text + "}\n";
 }
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/ascii.h"
+#include "config/json_text.h"
 #include "out/text/source_line.h"
 #include "texts/alarm_print.h"
 
@@ -56,7 +57,7 @@ std::string call_text(const AlarmReport::Call& call, Lang lang) {
                            : translated_in(lang, texts::alarm_print::called_in_file, call.what, line, call.file);
 }
 
-std::string dumped(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string dumped(const Json& json) { return json_text(json, 1) + "\n"; }
 
 /// Returns a path as a URI reference. Slashes remain, and bytes that a URI must not contain are replaced by %XX.
 std::string uri_of(const std::string& file) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "config/json_text.h"
 #include "texts/baseline.h"
 
 namespace kadr {
@@ -20,7 +21,7 @@ std::string key_of(const std::string& file, std::string_view id, const std::stri
 }  // namespace
 
 tl::expected<Baseline, std::string> Baseline::read(std::string_view json) {
-  const auto list = nlohmann::json::parse(json, nullptr, false);
+  const auto list = json_of(json);
   if (!list.is_array()) return tl::unexpected(translated(texts::baseline::not_a_list));
   Baseline baseline;
   for (const auto& entry : list) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "config/json_text.h"
+
 namespace kadr {
 namespace {
 
@@ -95,7 +97,7 @@ std::string summary_json(const RunSummary& run) {
                     {"complete", run.complete},
                     {"machining_time", figure(longest)},
                     {"channels", channels}};
-  return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(all, 1) + "\n";
 }
 
 }  // namespace kadr

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "config/json_text.h"
 #include "motion/time/estimate.h"
 #include "view/lathe_json.h"
 
@@ -141,7 +142,7 @@ PageJson call_list_json(const std::vector<AlarmReport::Call>& calls) {
   return list;
 }
 
-std::string dumped(const PageJson& json) { return json.dump(-1, ' ', false, PageJson::error_handler_t::replace); }
+std::string dumped(const PageJson& json) { return json_text(json); }
 
 PageJson files_json(const FolderList& list) {
   PageJson entries = PageJson::array();

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "config/json_text.h"
 #include "texts/panel_page.h"
 #include "view/page/page_inside.h"
 #include "view/panel_content.h"
@@ -73,7 +74,7 @@ std::string machine_text(const PageJson& question) {
 
 /// Returns the saved location of a machine in its program as JSON, without the axis positions (the value of the key "stands").
 PageJson spot_json(const std::string& text) {
-  PageJson spot = PageJson::parse(text, nullptr, false);
+  PageJson spot = ordered_json_of(text);
   if (spot.is_object()) spot.erase("stands");
   return spot;
 }
@@ -98,7 +99,7 @@ tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside
                                                                                             const PageJson& question) {
   if (!may_change) return refused(translated(texts::panel_page::may_only_look));
   PanelJournal& journal = *server.journal;
-  PageJson saved_machine = PageJson::parse(journal.value("machine", file).value_or("{}"), nullptr, false);
+  PageJson saved_machine = ordered_json_of(journal.value("machine", file).value_or("{}"));
   if (saved_machine.is_object()) saved_machine.update(question);
   auto request = opening_request_in(saved_machine.is_object() ? saved_machine : question);
   if (!request) return tl::unexpected(request.error());

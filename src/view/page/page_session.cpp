@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/json_text.h"
 #include "texts/page.h"
 #include "view/memory_bound.h"
 #include "view/page/page_inside.h"
@@ -21,13 +22,13 @@ void PageSession::stop() { inside_->stops = true; }
 
 bool PageSession::asks_to_stop(std::string_view message) {
   if (message.size() > 200) return false;
-  const auto json = PageJson::parse(message, nullptr, false);
+  const auto json = ordered_json_of(message);
   return json.is_object() && value_in<std::string>(json, "do", "") == "stop";
 }
 
 bool PageSession::asks_for_emergency(std::string_view message) {
   if (message.size() > 200) return false;
-  const auto json = PageJson::parse(message, nullptr, false);
+  const auto json = ordered_json_of(message);
   return json.is_object() && value_in<std::string>(json, "do", "") == "press" && value_in<std::string>(json, "key", "") == "emergency";
 }
 
@@ -36,7 +37,7 @@ void PageSession::emergency() { inside_->stop_machine(); }
 bool PageSession::take(std::string_view message) {
   Inside& in = *inside_;
   set_thread_language(in.lang);
-  const auto question = PageJson::parse(message, nullptr, false);
+  const auto question = ordered_json_of(message);
   const PageJson id = question.is_object() && question.contains("id") && question["id"].is_number() ? question["id"] : PageJson();
   const auto wrong = [&](const std::string& text) {
     in.send({{"re", id}, {"error", {{"text", text}}}});

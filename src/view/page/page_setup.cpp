@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/json_text.h"
 #include "config/setup/setup_check.h"
 #include "config/setup/setup_file.h"
 #include "config/setup/setup_keys.h"
@@ -115,7 +116,7 @@ PageSession::Inside::Answer PageSession::Inside::setup_form(const PageJson&) {
   PageJson json = {{"file", file},
                    {"digest", text ? PageJson(text->digest) : PageJson()},
                    {"in_force", !opened_request.setup.empty()},
-                   {"stated", text ? PageJson::parse(text->bytes, nullptr, false) : PageJson::object()},
+                   {"stated", text ? ordered_json_of(text->bytes) : PageJson::object()},
                    {"setups", setups_beside(server.folder, shown)},
                    {"tables", form_tables(*opened.def)},
                    {"columns", offset_columns(*opened.def, lang)},
@@ -140,7 +141,7 @@ PageSession::Inside::Answer PageSession::Inside::keep_setup(const PageJson& ques
     const auto before = setup_file(file);
     replaces = digest->get<std::string>();
     if (!before || before->digest != *replaces) return tl::unexpected(Refusal{translated(texts::view::changed_since, file), true});
-    whole = PageJson::parse(before->bytes, nullptr, false);
+    whole = ordered_json_of(before->bytes);
   }
   whole.merge_patch(*values);
   const std::string text = setup_text(whole);

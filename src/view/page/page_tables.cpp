@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/json_text.h"
 #include "config/state/state_json.h"
 #include "texts/panel_page.h"
 #include "view/page/page_inside.h"
@@ -26,7 +27,7 @@ PageJson variables_json(const std::vector<PanelVariable>& variables) {
 PageJson tables_of(const std::optional<RunState>& state) {
   PageJson tables = PageJson::object();
   if (!state) return tables;
-  const PageJson all = PageJson::parse(state_json(*state), nullptr, false);
+  const PageJson all = ordered_json_of(state_json(*state));
   for (const char* const name : {"work_offsets", "offsets"})
     if (all.is_object() && all.contains(name)) tables[name] = all[name];
   return tables;
@@ -112,7 +113,7 @@ PageSession::Inside::Answer PageSession::Inside::shift(const PageJson& question)
   const std::size_t most = std::max<std::uint32_t>(1, count_in(question, "count", 10'000));
   PageJson list = PageJson::array();
   for (std::size_t i = log.size() > most ? log.size() - most : 0; i < log.size(); ++i)
-    if (PageJson entry = PageJson::parse(log[i], nullptr, false); entry.is_object()) list.push_back(std::move(entry));
+    if (PageJson entry = ordered_json_of(log[i]); entry.is_object()) list.push_back(std::move(entry));
   return PageJson{{"log", std::move(list)}, {"lasts", server.journal->lasts()}};
 }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "config/json_text.h"
 #include "out/text/alarm_print.h"
 #include "out/text/base64.h"
 #include "out/text/cut_text.h"
@@ -82,7 +83,7 @@ PageJson finding_json(const ReportPart::Hit& hit, const AlarmTexts& texts, Lang 
 
 /// Returns the result of the cut as JSON, including the findings as marks on the time line.
 PageJson cut_json_of(const ReportPart& part, const AlarmTexts& texts, Lang lang) {
-  PageJson json = PageJson::parse(part.result, nullptr, false);
+  PageJson json = ordered_json_of(part.result);
   if (!json.is_object()) return PageJson();
   PageJson marks = PageJson::array();
   for (const ReportPart::Hit& hit : part.hits) marks.push_back(cut_mark_json(finding_json(hit, texts, lang), hit.finding));
@@ -166,7 +167,7 @@ double max_bytes(const ProgramRun& run) {
 
 PageJson part_head(const ReportPart& part) {
   PageJson json = {{"cell", part.cell}, {"off", part.off}};
-  if (const PageJson turned = PageJson::parse(part.turned, nullptr, false); turned.is_object()) json.update(turned);
+  if (const PageJson turned = ordered_json_of(part.turned); turned.is_object()) json.update(turned);
   return json;
 }
 
