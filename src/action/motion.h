@@ -89,8 +89,9 @@ struct CornerData {
   bool farther = false;  // true: if the two path elements have two intersections, the second one is used (Q above 0)
   // true: the programmed plane is mirrored, so an arc that is clockwise in the program is executed counter-clockwise
   bool mirrored = false;
-  bool square = false;  // the next motion must be a line at a right angle to this one (spec/fanuc-t 3.4)
-  double feed = 0;      // feed of the chamfer or rounding, in the unit of the motion's feed; 0: that of the motion
+  bool optional = false;  // true: modal, so the corner stays as programmed where no motion of the plane follows (spec/sinumerik 12.4)
+  bool square = false;    // the next motion must be a line at a right angle to this one (spec/fanuc-t 3.4)
+  double feed = 0;        // feed of the chamfer or rounding, in the unit of the motion's feed; 0: that of the motion
 };
 
 /// Computes the positions of the tool tip and of the rotary axes along a motion with tool centre point control. It is needed only for modes

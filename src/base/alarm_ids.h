@@ -145,7 +145,7 @@
   X(argument_type) X(argument_reference) X(definition_late) X(parameters_without_proc) X(skip_level_wrong) X(passes_wrong) \
   X(arc_two_ways) X(arc_opening_angle) X(arc_through_point) X(arc_turns) X(polar_with_axes) X(polar_radius_negative) \
   X(frame_component) X(edge_missing) X(cycle_reference_plane) X(cycle_first_depth) X(cycle_direction) X(cycle_lead) \
-  X(pattern_empty) \
+  X(pattern_empty) X(compensation_without_tool) X(initial_values_too_many) X(working_area) X(rotary_position_wrong) \
   /* alarms of conversational blocks (spec/heidenhain 15) */                                \
   X(pole_missing) X(tangent_missing) X(element_missing) X(error_by_program) \
   /* advice of the checklist, which is Kadr's own (docs/checklist.md) */                     \

@@ -65,7 +65,7 @@ export function lathe_steps({ kadr, page, pictures, only }) {
       if (!process.env.KADR) return "skipped: the made-up session has no lathe";
       await page.click("[data-tab=cut_tab]");
       await until("the blank as a bar", async () => (await text(".cut")).includes("Z from"));
-      await until("the form", () => count(".cut-run button"));
+      await until("the form", () => count(".cut-choices .field"));
       await page.locator(".cut label:has-text('take from') select").selectOption("cut/lathe.toml");
       await until("the tools of the file", async () => (await text(".cut")).includes("entering angle"));
       await page.click(".cut-run button");

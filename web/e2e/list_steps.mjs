@@ -42,7 +42,7 @@ export function list_steps({ kadr, page, pictures, examples, only }) {
   const badge = async (tab) => Number((await page.locator(`[data-tab=${tab}] .count`).allTextContents())[0] ?? 0);
   const cut = async () => {
     await page.click("[data-tab=cut_tab]");
-    await until("the form", () => count(".cut-run button"));
+    await until("the form", () => count(".cut-choices .field"));
     await page.locator(".cut input.wide").fill(stock);
     await page.locator(".cut input.wide").press("Enter");
     await page.click(".cut-run button.main");

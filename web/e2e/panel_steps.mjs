@@ -35,7 +35,7 @@ export function panel_steps(place) {
       if (!process.env.KADR) return "skipped: the made-up session has no machine";
       await panel.open("cut", "step.nc");
       await page.click("[data-tab=cut_tab]");
-      await until("the form", () => count(".cut-run button"));
+      await until("the form", () => count(".cut-choices .field"));
       await page.click(".cut-run button");
       await until("what is left", () => count(".cut .facts"));
       await panel.switch_on();

@@ -41,7 +41,7 @@ export function rotary_steps({ kadr, page, pictures, only }) {
       await tick();
       await until("it turns again", async () => (await settled_view()).equals(turned));
       await page.click("[data-tab=cut_tab]");
-      await until("the form", () => count(".cut-run button"));
+      await until("the form", () => count(".cut-choices .field"));
       await page.click(".cut-run button");
       await until("what is left", () => count(".cut .facts"));
       await page.screenshot({ path: join(pictures, "turned_cut.png") });

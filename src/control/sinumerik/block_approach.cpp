@@ -46,6 +46,20 @@ std::optional<BlockRun::Ahead> BlockRun::words_ahead(Block& block) {
   return ahead;
 }
 
+std::optional<BlockRun::Ahead> BlockRun::block_ahead() {
+  const ProgramFile& file = m_.program().file(m_.program().reader());
+  BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
+  reader.seek(m_.program().position());
+  Block block;
+  for (int i = 0; i < most_looked_at; ++i) {
+    const auto got = reader.next(block);
+    if (!got || *got == BlockReader::Got::end) return std::nullopt;
+    auto ahead = words_ahead(block);
+    if (!ahead || !ahead->words.empty()) return ahead;
+  }
+  return std::nullopt;
+}
+
 /// Returns the direction, of length 1 in programmed coordinates, in which the contour goes on at a point after the block.
 Result<Vec2> BlockRun::direction_after(const Axes& from) {
   const PlaneAxes plane = m_.modal.axes;

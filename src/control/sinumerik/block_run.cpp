@@ -111,7 +111,7 @@ Status BlockRun::word(const NamedItem& item) {
   }
   if (letter == 'S' && item.extension > 1) return spindle_word(item, *value);
   if (extended && !(letter == 'S' && item.extension == 1)) {
-    if (axis_of(letter) && (m_.block->has('G'))) return add(letter, *value, item);  // G74 X1=0: a machine axis
+    if (axis_of(letter) && (reference_ || fixed_point_)) return add(letter, *value, item);  // G74 X1=0: a machine axis
     return fail(alarm(AlarmId::not_available, item.where, std::string_view(whole + "=")));
   }
   constexpr std::string_view further = "ABCUVW";  // axes that only some machines have
@@ -189,7 +189,7 @@ Status BlockRun::assign_list(const NamedItem& item, const std::shared_ptr<Variab
   if (values->empty() || (repeats && values->size() != 1))
     return fail(alarm(AlarmId::not_available, item.where, std::string_view(last.name)));
   if (!repeats && first + values->size() > to.values.size())
-    return fail(alarm(AlarmId::index_range, item.where, std::string_view(item.name), double(first + values->size() - 1)));
+    return fail(alarm(AlarmId::initial_values_too_many, item.where, std::string_view(item.name), double(values->size())));
   const std::size_t end = repeats ? to.values.size() : first + values->size();
   for (std::size_t i = first; i < end; ++i) {
     const Value& each = (*values)[repeats ? 0 : i - first];
@@ -248,7 +248,8 @@ Status BlockRun::long_word(const NamedItem& item) {
   if (is_refused_name(name)) return fail(alarm(AlarmId::not_available, item.where, std::string_view(name)));
   if (name == "POS" || name == "POSA" || name == "FA") return positioning(item);
   if (name == "AX") return axis_by_variable(item);
-  if (name == "OVR" || name == "FB" || name == "LIMS") return feed_word(item);
+  if (name == "OVR" || name == "FB" || name == "LIMS" || name == "FRC" || name == "FRCM") return feed_word(item);
+  if (name == "OFFN") return normal_offset(item);
   if (name == "SPOS" || name == "SPOSA") {
     const auto value = number_of(item);
     if (!value) return fail(value.error());
@@ -261,8 +262,8 @@ Status BlockRun::long_word(const NamedItem& item) {
     if (name == "CTOL") own_.memory.tolerance = std::max(0.0, value->number) * m_.unit_scale();
     return {};
   }
-  constexpr std::string_view stored[] = {"CR",   "AR", "AP",  "RP", "TURN", "CHR",   "CHF", "RND",
-                                         "RNDM", "FP", "ANG", "SF", "DISR", "DISCL", "FAD"};
+  constexpr std::string_view stored[] = {"CR", "AR",  "AP",   "RP",   "TURN", "CHR",  "CHF",   "RND", "RNDM",
+                                         "FP", "ANG", "ANG1", "ANG2", "SF",   "DISR", "DISCL", "FAD"};
   if (!among(stored, name)) return fail(alarm(AlarmId::name_unknown, item.where, std::string_view(name)));
   if (!item.arguments.empty()) return unknown(item);
   const auto value = number_of(item);

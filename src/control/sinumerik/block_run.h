@@ -84,8 +84,10 @@ class BlockRun {
   /// G58, G59: the coarse and the fine shift of the programmable frame (spec/sinumerik 11.2).
   Status shift_frame();
   Status to_fixed_point();
-  /// G25 S, G26 S: the limits of the speed are those of the machine here. The limits of the working area are refused.
-  Status speed_limits();
+  /// G25, G26: limits of the speed with S, of the working area with axes (spec/sinumerik 5, 10).
+  Status limits();
+  /// OFFN: an allowance on the radius of the tool under G41, G42 (spec/sinumerik 13.2).
+  Status normal_offset(const NamedItem& item);
   Result<bool> finish();
   void scale_feed();
   Status dwell();
@@ -95,6 +97,9 @@ class BlockRun {
   Status polar_words();
   /// ANG=a: a line by its angle and one coordinate of its end (spec/sinumerik 12.4).
   Status angle_word();
+  Status angle_word(const std::string& name);
+  Status coordinate(std::size_t axis, double value, Span where);
+  Status first_of_two_lines();
   /// G53, G153, SUPA: the words are positions in the machine, with the tool length in them. They are converted to programmed coordinates.
   Status machine_words();
   Status to_reference();
@@ -120,6 +125,8 @@ class BlockRun {
   Status retract(const Way& way);
   Status set_axis(std::size_t axis, double value);
   std::optional<Ahead> words_ahead(Block& block);
+  /// Reads the next block that has words. Returns nullopt if it is no block of motions.
+  std::optional<Ahead> block_ahead();
   Result<Vec2> direction_after(const Axes& from);
   /// CIP and CT: worked out as G2 or G3 with a centre (spec/sinumerik 12.2).
   Status named_arc();

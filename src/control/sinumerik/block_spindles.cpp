@@ -109,10 +109,18 @@ Status BlockRun::to_fixed_point() {
   return m_.to_machine(MotionKind::rapid, m_.tables.reference[static_cast<std::size_t>(point) + 1], named, 0);
 }
 
-Status BlockRun::speed_limits() {
+Status BlockRun::limits() {
   for (std::uint32_t i = 0; i < block_.word_count; ++i) {
     const Word& w = block_.words[i];
-    if (w.address != 'S') return fail(alarm(AlarmId::not_available, w.where, "G25, G26"));
+    if (axis_of(w.address)) {  // a limit of the working area
+      const auto axis = static_cast<std::size_t>(static_cast<unsigned char>(m_.letters.axis_of[static_cast<std::size_t>(w.address - 'A')]));
+      const double unit = (m_.def.rotary >> axis & 1U) == 0 ? m_.unit_scale() : 1.0;
+      Modes& memory = own_.memory;
+      (limits_ == 25 ? memory.area_least : memory.area_most)[axis] = w.value * unit;
+      (limits_ == 25 ? memory.area_below : memory.area_above) |= AxisMask{1} << axis;
+      continue;
+    }
+    if (w.address != 'S') return fail(alarm(AlarmId::statement_not_alone, w.where));
     if (!(w.value >= 0)) return fail(alarm(AlarmId::value_out_of_range, w.where, 'S', w.value));
     (limits_ == 25 ? own_.memory.speed_least : own_.memory.speed_most) = w.value;
   }
@@ -140,6 +148,7 @@ Status BlockRun::feed_word(const NamedItem& item) {
     if (*value > 200) return fail(alarm(AlarmId::value_out_of_range, item.where, "OVR", *value));
     m_.modal.feed *= *value / memory.override_percent;
     memory.override_percent = *value;
+  } else if (item.name.starts_with("FRC")) {  // the feed of a chamfer or rounding: its path stays, its time is that of the block's feed
   } else if (item.name == "LIMS") {
     memory.surface_most = *value;
     if (m_.modal.surface_speed) m_.emit(m_.surface_speed());
@@ -150,6 +159,16 @@ Status BlockRun::feed_word(const NamedItem& item) {
     m_.modal.feed = *value * unit * memory.override_percent / 100;
     m_.modal.feed_known = true;
   }
+  return {};
+}
+
+Status BlockRun::normal_offset(const NamedItem& item) {
+  const auto value = number_of(item);
+  if (!value) return fail(value.error());
+  own_.memory.normal_offset = *value * m_.unit_scale();
+  if (own_.memory.normal_offset < 0 && own_.tool_radius(m_) + own_.memory.normal_offset < 0)
+    return fail(alarm(AlarmId::value_out_of_range, item.where, "OFFN", *value));
+  own_.set_normal_offset(m_);
   return {};
 }
 

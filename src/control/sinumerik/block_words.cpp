@@ -21,7 +21,7 @@ Result<bool> BlockRun::finish() {
   if (reference_) return done(to_reference());
   if (fixed_point_) return done(to_fixed_point());
   if (shift_ != 0) return done(shift_frame());
-  if (limits_ != 0) return done(speed_limits());
+  if (limits_ != 0) return done(limits());
   start_spindles();
   if (orient_) orient(*orient_);
   KADR_TRY(position_axes());
@@ -121,25 +121,69 @@ Status BlockRun::polar_words() {
 }
 
 Status BlockRun::angle_word() {
-  if (!own_.words.has("ANG")) return {};
+  for (const char* const name : {"ANG", "ANG1", "ANG2"})
+    if (own_.words.has(name)) return angle_word(name);
+  return {};
+}
+
+Status BlockRun::angle_word(const std::string& name) {
   const PlaneAxes plane = m_.modal.axes;
   const char letters[] = {m_.letters.axis_letter[plane.first], m_.letters.axis_letter[plane.second]};
-  const Span where = own_.words.where("ANG");
-  if (block_.has(letters[0]) == block_.has(letters[1])) return fail(alarm(AlarmId::not_available, where, "ANG"));
+  const Span where = own_.words.where(name);
+  const bool whole = block_.has(letters[0]) && block_.has(letters[1]);
+  if (whole && name != "ANG") return {};  // the end of the line is written
+  if (name == "ANG1" && !block_.has(letters[0]) && !block_.has(letters[1])) return first_of_two_lines();
+  if (block_.has(letters[0]) == block_.has(letters[1])) return fail(alarm(AlarmId::not_available, where, std::string_view(name)));
   Axes to;
   AxisMask named = 0;
   KADR_TRY(m_.target(to, named));
   const Axes& at = m_.position.programmed;
-  const SinCos turn = sincos_deg(own_.words.number("ANG"));
+  const SinCos turn = sincos_deg(own_.words.number(name));
   const bool has_first = block_.has(letters[0]);
   const std::size_t known = has_first ? plane.first : plane.second, other = has_first ? plane.second : plane.first;
   const double along = has_first ? turn.cos : turn.sin, across = has_first ? turn.sin : turn.cos;
-  if (std::fabs(along) <= tol::same_point) return fail(alarm(AlarmId::value_out_of_range, where, "ANG", own_.words.number("ANG")));
+  if (std::fabs(along) <= tol::same_point)
+    return fail(alarm(AlarmId::value_out_of_range, where, std::string_view(name), own_.words.number(name)));
+  return coordinate(other, at[other] + (to[known] - at[known]) / along * across, where);
+}
+
+/// Adds a word with a programmed coordinate of the plane, mm.
+Status BlockRun::coordinate(std::size_t axis, double value, Span where) {
   NamedItem item;
   item.where = where;
   item.form = WordForm::absolute;
-  const double diameter = (m_.modal.diameter >> other & 1U) != 0 ? 2 : 1;
-  return add(letters[has_first ? 1 : 0], (at[other] + (to[known] - at[known]) / along * across) * diameter / m_.unit_scale(), item);
+  const double diameter = (m_.modal.diameter >> axis & 1U) != 0 ? 2 : 1;
+  return add(m_.letters.axis_letter[axis], value * diameter / m_.unit_scale(), item);
+}
+
+/// ANG1=a, and in the next block the end of the second line with ANG2=b: the first line ends where the two meet (spec/sinumerik 12.4).
+Status BlockRun::first_of_two_lines() {
+  const PlaneAxes plane = m_.modal.axes;
+  const Span where = own_.words.where("ANG1");
+  const auto second = block_ahead();
+  const std::string first_name(1, m_.letters.axis_letter[plane.first]), second_name(1, m_.letters.axis_letter[plane.second]);
+  const auto written = [&](const std::string& name) -> const std::pair<double, WordForm>* {
+    const auto word = second ? second->words.find(name) : std::map<std::string, std::pair<double, WordForm>>::const_iterator();
+    return !second || word == second->words.end() ? nullptr : &word->second;
+  };
+  const auto *x = written(first_name), *y = written(second_name), *angle = written("ANG2");
+  const bool absolute = second && second->absolute.value_or(m_.modal.absolute);
+  const auto is_known = [&](const std::pair<double, WordForm>* word) {
+    return word != nullptr && (word->second == WordForm::absolute || (word->second == WordForm::plain && absolute));
+  };
+  if (!is_known(x) || !is_known(y) || angle == nullptr) return fail(alarm(AlarmId::not_available, where, "ANG1"));
+  const Axes& at = m_.position.programmed;
+  const auto scale = [&](std::size_t axis) { return m_.unit_scale() * ((m_.modal.diameter >> axis & 1U) != 0 ? 0.5 : 1.0); };
+  const Vec2 from{at[plane.first], at[plane.second]};
+  const Vec2 end{x->first * scale(plane.first), y->first * scale(plane.second)};
+  const SinCos one = sincos_deg(own_.words.number("ANG1")), two = sincos_deg(angle->first);
+  const Vec2 along{one.cos, one.sin}, back{two.cos, two.sin};
+  const double across = cross(along, back);
+  const double reach = std::fabs(across) > 1e-9 ? cross(end - from, back) / across : 0;
+  const double rest = std::fabs(across) > 1e-9 ? cross(along, end - from) / across : 0;  // from the corner to the end
+  if (!(reach > tol::same_point) || !(rest > tol::same_point)) return fail(alarm(AlarmId::contour_no_intersection, where));
+  KADR_TRY(coordinate(plane.first, from.x + reach * along.x, where));
+  return coordinate(plane.second, from.y + reach * along.y, where);
 }
 
 Status BlockRun::machine_words() {

@@ -11,8 +11,8 @@ namespace kadr::sinumerik {
 namespace {
 
 /// G codes that the words of the table do not describe completely; a block with one of them is read by lang/named.
-constexpr int own_codes[] = {140, 340, 341, 4,   25,  26,  33,  53,  58,  59,  63,  70,  71,  74, 75,
-                             110, 111, 112, 147, 148, 153, 247, 248, 331, 332, 347, 348, 700, 710};
+constexpr int own_codes[] = {140, 340, 341, 4,   25,  26,  33,  41,  42,  53,  58,  59,  63,  70,  71, 74,
+                             75,  110, 111, 112, 147, 148, 153, 247, 248, 331, 332, 347, 348, 700, 710};
 }  // namespace
 
 bool is_own_code(double code) {

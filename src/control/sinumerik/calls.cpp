@@ -190,10 +190,10 @@ Result<std::shared_ptr<Variable>> Sinumerik::made_variable(BlockContext& m, cons
     if (!some) return fail(some.error());
     filled = std::round(*some);
     if (!(filled >= 0) || filled > double(made->values.size()))
-      return fail(alarm(AlarmId::index_range, row.where, std::string_view(row.name), filled));
+      return fail(alarm(AlarmId::initial_values_too_many, row.where, std::string_view(row.name), filled));
   }
   if (row.initial.size() > made->values.size())
-    return fail(alarm(AlarmId::index_range, row.where, std::string_view(row.name), double(row.initial.size() - 1)));
+    return fail(alarm(AlarmId::initial_values_too_many, row.where, std::string_view(row.name), double(row.initial.size())));
   for (std::size_t i = 0; i < row.initial.size(); ++i) {
     const auto value = evaluate(m, block, row.initial[i]);
     if (!value) return fail(value.error());

@@ -8,13 +8,6 @@
 namespace kadr::sinumerik {
 namespace {
 
-/// Returns true for a call of CYCLE800 that only goes back to the initial state: without arguments, or with nothing but a name (spec 14.6).
-bool swivels_back(const std::vector<Value>& arguments) {
-  return std::all_of(arguments.begin(), arguments.end(), [](const Value& each) {
-    return each.omitted || (each.type == Type::text && (each.text.empty() || each.text == "0"));
-  });
-}
-
 /// CYCLE832: the tolerance of the path, which the planner may use as in G642 with CTOL (spec/sinumerik 14.6).
 Status set_tolerance(Interpreter& m, const std::vector<Value>& arguments, Span where) {
   const double tolerance = !arguments.empty() && arguments[0].is_number() ? arguments[0].number * m.unit_scale() : 0;
@@ -36,7 +29,7 @@ Status Sinumerik::run_cycle(Interpreter& m, const std::string& name, const std::
   if (name == "CYCLE832") return set_tolerance(m, arguments, where);
   const bool passed_over = name.size() == 8 && name.starts_with("CYCLE75");
   if (passed_over) return {};  // settings of the machine: the programmed path stays as it is (spec/sinumerik 14.6)
-  if (name == "CYCLE800" && swivels_back(arguments)) return {};
+  if (name == "CYCLE800") return swivel(m, arguments, where);
   if (is_milling_cycle(name)) return start_milling(m, name, arguments, where);
   return start_cycle(m, name, arguments, where);
 }

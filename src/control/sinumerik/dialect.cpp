@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "control/functions/rotary_machine.h"
 #include "control/sinumerik/sinumerik.h"
 
 namespace kadr {
@@ -86,6 +87,7 @@ void Sinumerik::take_axes(Emitter& m, const Setup& setup) {
 
 void Sinumerik::take_setup(Emitter& m, const Setup& setup) {
   take_axes(m, setup);
+  rotary = rotary_machine(setup.kinematics, m.def, missing_axes);
   for (std::size_t n = 0; n < settable_frames && n < m.tables.zeros.size(); ++n) memory.settable[n].shift = m.tables.zeros[n];
   for (const auto& [tool, offset] : setup.offsets) table_.insert(tool);
   for (const auto& [name, value] : setup.variables) {
@@ -119,8 +121,17 @@ Status Sinumerik::activate_edge(Emitter& m, std::uint32_t edge, Span where) {
   memory.edge = edge;
   m.modal.offset_number = edge == 0 || !in_table ? 0 : edge_row(tool, edge);
   if (edge > 1) m.tables.offsets[m.modal.offset_number] = own->second;
+  set_normal_offset(m);
   m.change_frames();
   return {};
+}
+
+double Sinumerik::tool_radius(const BlockContext& m) const {
+  return m.modal.offset_number < m.tables.offsets.size() ? m.tables.offsets[m.modal.offset_number].whole_radius() : 0.0;
+}
+
+void Sinumerik::set_normal_offset(BlockContext& m) const {
+  m.modal.radius_by_word = memory.normal_offset == 0 ? -1 : std::max(0.0, tool_radius(m) + memory.normal_offset);
 }
 
 void Sinumerik::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
@@ -239,6 +250,9 @@ bool Sinumerik::end_program(Interpreter& m) {
   memory.approach_in_plane = false;
   memory.surface_most = memory.speed_least = memory.speed_most = 0;
   memory.programmable = memory.swivel = {};
+  memory.swivelled_to.reset();
+  memory.normal_offset = 0;
+  memory.area_watched = true;
   memory.in_space = false;
   const auto switches = m.transform.mirror;
   m.transform = Transform();

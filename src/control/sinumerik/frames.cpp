@@ -130,6 +130,12 @@ void Sinumerik::place_in_space(Emitter& m) {
   for (std::size_t a = 0; a < 3; ++a) shift[a] = whole.shift[a] + whole.fine[a];
   data.frame_origin = in_space(shift);
   data.length = in_space(m.frames.length);
+  if (memory.swivelled_to) {
+    data.machine = rotary;
+    data.follows_table = rotary.has_table();
+    data.follows_head = rotary.has_head();
+    data.fixed = memory.swivelled_to;
+  }
   auto made = std::make_shared<const FiveAxisTransform>(data);
   const auto now = made->turn();
   m.frames.space = std::move(made);

@@ -12,6 +12,7 @@
 #include "config/setup/setup.h"
 #include "control/sinumerik/value.h"
 #include "control/state/control_state.h"
+#include "kinematics/five_axis.h"
 #include "lang/block/block.h"
 #include "lang/named/named_macros.h"
 
@@ -69,6 +70,7 @@ struct Modes {
   std::optional<Position> counts_on;  // ENDFOR has jumped to the FOR at this position, which counts on
   Frame active;                       // the settable frame that the last G54 put in force
   Frame swivel;                       // CYCLE800: between the settable and the programmable frame
+  std::optional<RotaryPair> swivelled_to;  // CYCLE800: positions of the rotary axes, if the machine has them
   Frame programmable;                 // TRANS, ROT …
   bool in_space = false;              // swivel and programmable frame turn in space: the placement has them, not the transformation
   NamedMotion motion = NamedMotion::none;
@@ -81,6 +83,10 @@ struct Modes {
   double tolerance = 0;                     // CTOL, CYCLE832: of G642 to G645, mm; 0: none
   std::array<double, 10> speeds{};          // S2=, S3= …, rev/min, by the number of the spindle
   std::array<SpindleDir, 10> directions{};  // M2=, M3= …
+  double normal_offset = 0;                 // OFFN, mm
+  Axes area_least{}, area_most{};           // G25, G26: the working area, basic coordinates, mm
+  AxisMask area_below = 0, area_above = 0;  // axes with such a limit
+  bool area_watched = true;                 // WALIMON
   bool approach_in_plane = false;           // G341; false: G340
   double override_percent = 100;            // OVR
   double surface_most = 0;                  // LIMS, rev/min; 0: none

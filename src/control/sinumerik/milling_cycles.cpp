@@ -1,5 +1,5 @@
-// POCKET3, POCKET4 and CYCLE71 (spec/sinumerik 14.5). The manual does not document the path within a pocket: start level, depths, walls and
-// end point are those of the cycle, the path between is Kadr's own clearing. Used by control/sinumerik.
+// POCKET1 to POCKET4, CYCLE71, SLOT1 and LONGHOLE (spec/sinumerik 14.5). The manual does not document the path within a pocket: start
+// level, depths, walls and end point are those of the cycle, the path between is Kadr's own clearing. Used by control/sinumerik.
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +78,7 @@ class MillMaker {
     const PlaneAxes plane = m_.modal.axes;
     if (m_.transform.leaves(plane) || m_.transform.distorts(plane))
       return fail(alarm(AlarmId::not_together, where_, "SCALE", std::string_view(name)));
-    radius_ = m_.radius_in_force();
+    radius_ = sinumerik_of(m_).tool_radius(m_);
     if (!(radius_ > 0)) return fail(alarm(AlarmId::pocket_tool_missing, where_, double(m_.modal.tool)));
     retract_ = number(0), reference_ = number(1);
     level_ = reference_ + std::fabs(number(2));
@@ -270,18 +270,40 @@ class MillMaker {
   bool cw_ = false;
 };
 
+/// Returns the parameters of POCKET3 or POCKET4 for those of the older POCKET1 or POCKET2, which clear the same volume
+/// (spec/sinumerik 14.5). INFERRED: their VARI 0, complete machining, clears the pocket to its walls.
+std::vector<Value> as_newer_pocket(const std::vector<Value>& old, bool rectangle) {
+  const auto number = [&](std::size_t i) { return i < old.size() && !old[i].omitted ? old[i].number : 0.0; };
+  const bool relative = number(4) != 0;
+  const double depth = relative ? number(1) - std::fabs(number(4)) : number(3);
+  const std::size_t place = rectangle ? 8 : 6;   // CPA, CPO
+  const std::size_t feeds = rectangle ? 11 : 8;  // FFD, FFP1, MID, CDIR, FAL, VARI
+  const bool whole = number(feeds + 5) == 0;
+  std::vector<Value> all{real(number(0)), real(number(1)), real(number(2)), real(depth)};
+  for (std::size_t i = 5; i < place; ++i) all.push_back(real(number(i)));
+  for (std::size_t i = place; i < feeds; ++i) all.push_back(real(number(i)));
+  const double allowance = whole ? 0 : number(feeds + 4);
+  for (const double each :
+       {number(feeds + 2), allowance, 0.0, number(feeds + 1), number(feeds), number(feeds + 3), whole ? 1.0 : number(feeds + 5)})
+    all.push_back(real(each));
+  return all;
+}
+
 }  // namespace
 
 bool Sinumerik::is_milling_cycle(std::string_view name) {
-  return name == "POCKET3" || name == "POCKET4" || name == "CYCLE71" || name == "SLOT1" || name == "LONGHOLE";
+  return name == "POCKET1" || name == "POCKET2" || name == "POCKET3" || name == "POCKET4" || name == "CYCLE71" || name == "SLOT1" ||
+         name == "LONGHOLE";
 }
 
 Status Sinumerik::start_milling(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, where, std::string_view(name)));
   for (const Value& each : arguments)
     if (!each.is_number()) return fail(alarm(AlarmId::operand_type, where, std::string_view(name)));
-  MillMaker maker(m, arguments, where);
-  KADR_TRY(maker.run(name));
+  const bool older = name == "POCKET1" || name == "POCKET2";
+  const std::vector<Value> newer = older ? as_newer_pocket(arguments, name == "POCKET1") : std::vector<Value>();
+  MillMaker maker(m, older ? newer : arguments, where);
+  KADR_TRY(maker.run(name == "POCKET1" ? "POCKET3" : name == "POCKET2" ? "POCKET4" : name));
   m.running = std::make_unique<MillSteps>(std::move(maker.steps));
   return {};
 }

@@ -176,7 +176,8 @@ Status Sinumerik::target(const BlockContext& m, Axes& to, AxisMask& named) const
       case WordForm::positive:
       case WordForm::negative: {
         if (form != WordForm::direct && !(value >= 0 && value < 360))
-          return fail(alarm(AlarmId::value_out_of_range, m.where(letter), form == WordForm::positive ? "ACP" : "ACN", value));
+          return fail(alarm(AlarmId::rotary_position_wrong, m.where(letter), form == WordForm::positive ? "ACP" : "ACN", value,
+                            form == WordForm::positive ? 16810.0 : 16820.0));
         double way = std::fmod(value - now, 360.0);
         if (form == WordForm::direct && way > 180) way -= 360;
         if (form == WordForm::direct && way <= -180) way += 360;
@@ -189,12 +190,30 @@ Status Sinumerik::target(const BlockContext& m, Axes& to, AxisMask& named) const
     }
     if (!(std::fabs(to[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, m.where(letter), letter, to[a]));
   }
-  if (!words.has("AP") && !words.has("RP")) return {};
-  const PlaneAxes plane = m.modal.axes;
-  const SinCos turn = sincos_deg(memory.polar_angle);
-  to[plane.first] = memory.pole.x + memory.polar_radius * turn.cos;
-  to[plane.second] = memory.pole.y + memory.polar_radius * turn.sin;
-  named |= AxisMask{1} << plane.first | AxisMask{1} << plane.second;
+  if (words.has("AP") || words.has("RP")) {
+    const PlaneAxes plane = m.modal.axes;
+    const SinCos turn = sincos_deg(memory.polar_angle);
+    to[plane.first] = memory.pole.x + memory.polar_radius * turn.cos;
+    to[plane.second] = memory.pole.y + memory.polar_radius * turn.sin;
+    named |= AxisMask{1} << plane.first | AxisMask{1} << plane.second;
+  }
+  return within_area(m, to, named);
+}
+
+/// Checks an end point against the working area of G25, G26. INFERRED: the tip of the tool counts, in basic coordinates (spec 10).
+Status Sinumerik::within_area(const BlockContext& m, const Axes& to, AxisMask named) const {
+  const AxisMask limited = (memory.area_below | memory.area_above) & named;
+  if (limited == 0 || !memory.area_watched) return {};
+  const Axes machine = m.frames.machine_of(m.transform.identity ? to : m.transform.to_work(to));
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    if ((limited >> a & 1U) == 0) continue;
+    const double tip = machine[a] - m.frames.length[a];
+    const bool below = (memory.area_below >> a & 1U) != 0 && tip < memory.area_least[a] - tol::same_point;
+    const bool above = (memory.area_above >> a & 1U) != 0 && tip > memory.area_most[a] + tol::same_point;
+    if (below || above)
+      return fail(alarm(AlarmId::working_area, m.where(m.letters.axis_letter[a]), std::string_view(m.axis_names[a]), tip,
+                        below ? memory.area_least[a] : memory.area_most[a]));
+  }
   return {};
 }
 
@@ -215,6 +234,7 @@ void Sinumerik::note_motion(Emitter& m, Motion& motion) {
   if (cuts && (motion.named & plane) != 0 && (rounding > 0 || chamfer != 0)) {
     auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
     CornerData corner;
+    corner.optional = !words.has("RND") && chamfer == 0;
     corner.rounding = rounding * m.transform.corner_scale(m.modal.axes);
     corner.chamfer = chamfer * m.transform.corner_scale(m.modal.axes);
     detail->contour = corner;
@@ -245,7 +265,8 @@ void Sinumerik::note_motion(Emitter& m, Motion& motion) {
 bool Sinumerik::lines_follow(const BlockContext& m) const {
   const Level& own = memory.levels.back();
   return own.acted && !own.modal_call && memory.motion == NamedMotion::none && !memory.feed_in_mm && memory.override_percent == 100 &&
-         memory.rounding == 0 && !memory.in_space && memory.active == memory.settable[m.modal.work_zero];
+         memory.rounding == 0 && !memory.in_space && (memory.area_below | memory.area_above) == 0 &&
+         memory.active == memory.settable[m.modal.work_zero];
 }
 
 /// A run of plain lines leaves blocks with these axes to takes_block(), which refuses the axes that the machine lacks.

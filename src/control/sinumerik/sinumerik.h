@@ -112,6 +112,7 @@ class Sinumerik final : public Dialect {
   // ---- used by the parts in this folder
   Memory memory;
   BlockWords words;
+  FiveAxis rotary;                 // the rotary axes of the machine; group none: CYCLE800 turns the frame alone
   std::uint64_t missing_axes = 0;  // letters of axes that the machine does not have
 
   Result<Value> evaluate(BlockContext& m, const NamedBlock& block, NamedExpression expression);
@@ -128,6 +129,11 @@ class Sinumerik final : public Dialect {
   Status set_programmable(Emitter& m, const Frame& frame, Span where);
   void place_in_space(Emitter& m);
   Status approach_step(Emitter& m, const ApproachStep& step);
+  /// Returns the radius of the tool in force with its wear, without OFFN, mm.
+  double tool_radius(const BlockContext& m) const;
+  /// Puts OFFN in force: the radius of the tool and OFFN are the offset of G41, G42.
+  void set_normal_offset(BlockContext& m) const;
+  Status within_area(const BlockContext& m, const Axes& to, AxisMask named) const;
   Status activate_edge(Emitter& m, std::uint32_t edge, Span where);
   /// Returns false if the tool table has tools, and this one is not among them (spec/sinumerik 5).
   bool knows_tool(const BlockContext& m, double tool) const;
@@ -177,6 +183,8 @@ class Sinumerik final : public Dialect {
   Status start_milling(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
   // cycles.cpp: works out the steps; cycle_calls.cpp
   Status start_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
+  /// CYCLE800: swivels the frame, and turns the rotary axes of a machine that has them (spec/sinumerik 14.6).
+  Status swivel(Interpreter& m, const std::vector<Value>& arguments, Span where);
   static bool is_cycle(std::string_view name);
   Status run_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
   // frames.cpp

@@ -153,7 +153,7 @@ Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, c
   }
   if (name == "$P_TOOLNO") return integer(m.modal.tool);
   if (name == "$P_TOOL") return integer(memory.edge);
-  if (name == "$P_TOOLR") return real(m.radius_in_force());
+  if (name == "$P_TOOLR") return real(tool_radius(m));
   if (name == "$P_TOOLL" && index(0) >= 1 && index(0) <= 3) {
     const PlaneAxes plane = m.modal.axes;  // length 2 is that of the second axis of the plane, length 3 that of the first (13.1)
     const std::size_t by_number[] = {plane.normal, plane.second, plane.first};

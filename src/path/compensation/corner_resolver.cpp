@@ -114,10 +114,11 @@ void CornerResolver::motion(Action& action, End end) {
   std::optional<Start> start = Start{in_plane(now_.at.work, m), {}, 0, false};
   if (now_.held) start = join(action, end);
   else if (is_over_determined(c)) fail(AlarmId::contour_no_intersection, action.origin);
-  if (!fault_ && is_shaped(c) && !alone_in_plane(m)) fail(AlarmId::corner_illegal, action.origin);
+  const bool unfit = is_shaped(c) && !alone_in_plane(m);
+  if (!fault_ && unfit && !c->optional) fail(AlarmId::corner_illegal, action.origin);
   now_.at.take(m);
   if (fault_) return;
-  const bool waits = end == End::open || is_shaped(c) || has_only_direction(c);
+  const bool waits = end == End::open || (is_shaped(c) && !unfit) || has_only_direction(c);
   if (!waits && c == nullptr && start->cut == 0 && !start->calculated) {
     out_.add() = std::move(action);
     return;
@@ -133,7 +134,8 @@ std::optional<CornerResolver::Start> CornerResolver::join(const Action& action, 
   const CornerData *const own = contour_of(held()), *const its = contour_of(m);
   const bool same_plane = is_element(m) && m.first == held().first && m.second == held().second;
   const bool calculated = is_over_determined(its) && same_plane;
-  if (is_shaped(own) && !(same_plane && alone_in_plane(m))) return failed(AlarmId::corner_illegal, now_.held->action.origin);
+  const bool fits = same_plane && alone_in_plane(m) && alone_in_plane(held());
+  if (is_shaped(own) && !fits && !own->optional) return failed(AlarmId::corner_illegal, now_.held->action.origin);
   if (has_only_direction(own) && !calculated) return failed(AlarmId::contour_angle_end, now_.held->action.origin);
   if (is_over_determined(its) && !calculated) return failed(AlarmId::contour_no_intersection, action.origin);
   Start start{now_.held->end, {}, 0, calculated};
@@ -145,7 +147,7 @@ std::optional<CornerResolver::Start> CornerResolver::join(const Action& action, 
   }
   CornerElement nothing;
   nothing.from = nothing.to = start.corner;
-  if (!is_shaped(own)) {
+  if (!is_shaped(own) || !fits) {
     let_go(start.corner, nothing, Certainty::certain);
   } else {
     const auto second = element_from(start.corner, m, end);
@@ -288,7 +290,7 @@ void CornerResolver::finish(Follows follows) {
   if (!now_.held) return;
   const CornerData* const c = contour_of(held());
   const Origin origin = now_.held->action.origin;
-  if (follows == Follows::nothing && is_shaped(c)) return fail(AlarmId::corner_illegal, origin);
+  if (follows == Follows::nothing && is_shaped(c) && !c->optional) return fail(AlarmId::corner_illegal, origin);
   if (follows == Follows::nothing && has_only_direction(c)) return fail(AlarmId::contour_end_missing, origin);
   if (has_only_direction(c)) drop();
   else release();

@@ -170,17 +170,19 @@ export class CutPanel {
     if (this.known) this.shown(extent_of(this.stock), this.tools, this.inserts);
   }
 
-  /// A button is replaced only by another one: one that is replaced while it is pressed hears no click.
+  /// A button that is replaced or disabled while it is pressed hears no click. So it stays while the program runs again
+  /// after each change of its text, and a click during a run is carried out at the end of the run.
   private draw_run(): void {
-    const shown = this.known ? `${this.app.cutting} ${!this.app.done} ${t("cut")}` : "";
+    const there = this.known || this.app.opened !== null;
+    const shown = there ? `${this.app.cutting} ${t("cut")}` : "";
     if (shown === this.run_shown) return;
     this.run_shown = shown;
     fill(
       this.run_row,
-      this.known &&
+      there &&
         (this.app.cutting
           ? button(t("stop"), () => this.app.stop(), { class: "stop" })
-          : button(t("cut"), () => void this.run(), { class: "main", disabled: !this.app.done })),
+          : button(t("cut"), () => void this.run(), { class: "main" })),
     );
   }
 
