@@ -1,4 +1,4 @@
-// Puts one blank between the words of each block. Used by lsp/language_server; tested by tests/lsp.py and tests/lsp/formatting_test.cpp.
+// Puts one blank between the words of each block. Used by lsp/language_server; tested by tests/lsp.py.
 
 #include <algorithm>
 #include <vector>

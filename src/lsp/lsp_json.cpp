@@ -1,5 +1,5 @@
 // Conversions between values and the JSON of the Language Server Protocol. Used by the files of lsp; tested by
-// tests/lsp/lsp_json_test.cpp.
+// tests/lsp.py.
 
 #include "lsp/lsp_json.h"
 

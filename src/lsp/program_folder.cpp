@@ -1,4 +1,4 @@
-// The programs of a folder. Used by lsp/folder_navigation; tested by tests/lsp/program_folder_test.cpp and tests/lsp.py.
+// The programs of a folder. Used by lsp/folder_navigation; tested by tests/lsp.py.
 
 #include "lsp/program_folder.h"
 

@@ -1,4 +1,4 @@
-// ServoClock outputs positions at a fixed rate. Used by panel/panel_machine; tested by tests/panel/servo_clock_test.cpp.
+// ServoClock outputs positions at a fixed rate. Used by panel/panel_machine; tested by tests/panel/panel_machine_test.cpp.
 
 #include "panel/servo_clock.h"
 

@@ -1,4 +1,4 @@
-// Converts the steps of a run to vertices of a path (PathRecord). Used by view/program_run; tested by tests/view/path_record_test.cpp.
+// Converts the steps of a run to vertices of a path (PathRecord). Used by view/program_run; tested by tests/serve.py.
 
 #include "view/path_record.h"
 

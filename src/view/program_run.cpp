@@ -1,5 +1,5 @@
 // Runs a program for the page, and records its path, marks, findings and checkpoints (ProgramRun). Used by view/page/page_session; tested
-// by tests/view/program_run_test.cpp, tests/serve.py.
+// by tests/serve.py.
 
 #include "view/program_run.h"
 

@@ -1,4 +1,4 @@
-// Finds and converts lines of a program (SourceText). Used by view/page/page_session; tested by tests/view/source_text_test.cpp.
+// Finds and converts lines of a program (SourceText). Used by view/page/page_session; tested by tests/serve.py.
 
 #include "view/source_text.h"
 

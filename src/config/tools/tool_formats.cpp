@@ -1,5 +1,5 @@
 // Reads LinuxCNC's tool table, and recognises the format of a tools file. Used by config/tools/tool_library; tested by
-// tests/config/tool_formats_test.cpp.
+// tests/config/tool_library_test.cpp.
 
 #include "config/tools/tool_formats.h"
 

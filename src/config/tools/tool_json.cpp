@@ -1,4 +1,4 @@
-// Reads tool libraries in JSON: CAMotics, FreeCAD, Fusion. Used by config/tools/tool_library; tested by tests/config/tool_formats_test.cpp.
+// Reads tool libraries in JSON: CAMotics, FreeCAD, Fusion. Used by config/tools/tool_library; tested by tests/config/tool_library_test.cpp.
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,5 @@
 // The operator's changes to the program flow: a line is entered (MDI), or a block that was read is returned, so that it is read
-// again. Used by control/interpreter; tested by tests/control/stepping_test.cpp.
+// again. Used by control/interpreter; tested by tests/session/stepping_test.cpp.
 
 #include <utility>
 

@@ -107,6 +107,11 @@ Status BlockRun::word(const NamedItem& item) {
     case 'K':
       if (item.extension == 1) return store(whole, *value, item);
       break;
+    case 'A':
+    case 'B':
+    case 'C':
+      if (item.extension == 3) return store(whole, *value, item);
+      break;
     default: break;
   }
   if (letter == 'S' && item.extension > 1) return spindle_word(item, *value);

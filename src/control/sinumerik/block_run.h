@@ -100,6 +100,7 @@ class BlockRun {
   Status angle_word(const std::string& name);
   Status coordinate(std::size_t axis, double value, Span where);
   Status first_of_two_lines();
+  Status tool_direction();
   /// G53, G153, SUPA: the words are positions in the machine, with the tool length in them. They are converted to programmed coordinates.
   Status machine_words();
   Status to_reference();
@@ -130,6 +131,8 @@ class BlockRun {
   Result<Vec2> direction_after(const Axes& from);
   /// CIP and CT: worked out as G2 or G3 with a centre (spec/sinumerik 12.2).
   Status named_arc();
+  Status line_by_name();
+  Result<bool> arc_in_space(const Axes& through, const Axes& to);
 
   Interpreter& m_;
   Sinumerik& own_;

@@ -27,6 +27,7 @@ Result<bool> BlockRun::finish() {
   KADR_TRY(position_axes());
   KADR_TRY(polar_words());
   KADR_TRY(angle_word());
+  KADR_TRY(tool_direction());
   KADR_TRY(corner_words());
   if (own_.words.has("RNDM")) own_.memory.rounding = own_.words.number("RNDM") * m_.unit_scale();
   if (feed_unit_) own_.memory.feed_in_mm = *feed_unit_ == 1;
@@ -147,6 +148,33 @@ Status BlockRun::angle_word(const std::string& name) {
   return coordinate(other, at[other] + (to[known] - at[known]) / along * across, where);
 }
 
+/// A3= B3= C3=: the direction from the tip to the holder in the frame in force (spec/sinumerik 15), as positions of the rotary axes.
+Status BlockRun::tool_direction() {
+  Vec3 direction;
+  Span where = block_.where;
+  double* const parts[] = {&direction.x, &direction.y, &direction.z};
+  bool any = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string name{static_cast<char>('A' + i), '3'};
+    if (!own_.words.has(name)) continue;
+    *parts[i] = own_.words.number(name);
+    where = own_.words.where(name);
+    any = true;
+  }
+  if (!any) return {};
+  if (!own_.memory.holds_tip) return fail(alarm(AlarmId::no_five_axes, where, "A3 B3 C3"));
+  const double size = std::sqrt(dot(direction, direction));
+  if (!(size > tol::same_point)) return fail(alarm(AlarmId::direction_zero, where, "A3 B3 C3"));
+  const auto positions = own_.rotary_positions(m_, 1 / size * direction, where);
+  if (!positions) return fail(positions.error());
+  NamedItem item;
+  item.where = where;
+  item.form = WordForm::absolute;
+  for (const auto& [joint, angle] : {std::pair(&own_.rotary.first, positions->first), std::pair(&own_.rotary.second, positions->second)})
+    KADR_TRY(add(m_.letters.axis_letter[static_cast<std::size_t>(joint->axis)], angle, item));
+  return {};
+}
+
 /// Adds a word with a programmed coordinate of the plane, mm.
 Status BlockRun::coordinate(std::size_t axis, double value, Span where) {
   NamedItem item;
@@ -252,8 +280,12 @@ Status BlockRun::named_arc() {
       between[a] = absolute ? value : at[a] + value;
     }
     if (std::fabs(between[plane.normal] - at[plane.normal]) > tol::same_point ||
-        std::fabs(to[plane.normal] - at[plane.normal]) > tol::same_point)
-      return fail(alarm(AlarmId::not_available, block_.where, "CIP"));
+        std::fabs(to[plane.normal] - at[plane.normal]) > tol::same_point) {
+      const auto is_arc = arc_in_space(between, to);
+      if (!is_arc) return fail(is_arc.error());
+      if (*is_arc) return {};
+      return line_by_name();
+    }
     const Vec2 a = Vec2{between[plane.first], between[plane.second]} - from, b = end - from;
     const double twice = 2 * cross(a, b);
     if (std::fabs(twice) <= tol::same_point) {
@@ -276,16 +308,23 @@ Status BlockRun::named_arc() {
       return fail(alarm(AlarmId::arc_through_point, block_.where));
     }
   }
+  if (code == 1) return line_by_name();
   NamedItem item;
   item.where = block_.words[0].where;
   KADR_TRY(add_code('G', code, item));
-  if (code > 1) {
-    item.form = WordForm::plain;
-    for (const auto& [axis, value] : {std::pair{plane.first, middle.x}, std::pair{plane.second, middle.y}})
-      KADR_TRY(add(m_.letters.center_letter[axis], value / m_.unit_scale(), item));
-  }
+  item.form = WordForm::plain;
+  for (const auto& [axis, value] : {std::pair{plane.first, middle.x}, std::pair{plane.second, middle.y}})
+    KADR_TRY(add(m_.letters.center_letter[axis], value / m_.unit_scale(), item));
   own_.circle_by_name_ = true;
   return {};
+}
+
+/// CIP and CT whose points are on a line.
+Status BlockRun::line_by_name() {
+  NamedItem item;
+  item.where = block_.words[0].where;
+  own_.circle_by_name_ = true;
+  return add_code('G', 1, item);
 }
 
 }  // namespace kadr::sinumerik

@@ -189,6 +189,7 @@ Status Sinumerik::after_block(Interpreter& m) {
     m.modal.spindle = now.spindle, m.modal.rpm = now.rpm, m.modal.tool = now.tool, m.modal.tool_selected = now.tool_selected;
     m.modal.offset_number = now.offset_number, m.modal.mist = now.mist, m.modal.flood = now.flood;
   }
+  if (words.space_arc) KADR_TRY(emit_in_space(m, *std::exchange(words.space_arc, std::nullopt)));
   for (const ApproachStep& step : std::exchange(words.retraction, {})) KADR_TRY(approach_step(m, step));
   if (words.motion_before) {
     const MotionBefore before = *std::exchange(words.motion_before, std::nullopt);
@@ -251,6 +252,7 @@ bool Sinumerik::end_program(Interpreter& m) {
   memory.surface_most = memory.speed_least = memory.speed_most = 0;
   memory.programmable = memory.swivel = {};
   memory.swivelled_to.reset();
+  memory.holds_tip = false;
   memory.normal_offset = 0;
   memory.area_watched = true;
   memory.in_space = false;

@@ -1,4 +1,4 @@
-// Arithmetic of frames. Used by control/sinumerik; tested by tests/control/sinumerik_frame_test.cpp.
+// Arithmetic of frames. Used by control/sinumerik; tested by tests/control/sinumerik/frame_test.cpp.
 
 #include "control/sinumerik/frame.h"
 

@@ -124,22 +124,23 @@ void Sinumerik::place_in_space(Emitter& m) {
   FiveAxisTransformData data;
   data.zero = in_space(m.frames.origin);
   data.basic = matrix_in_space(memory.active.linear);
-  data.has_frame = true;
+  data.has_frame = memory.in_space;
   data.frame = matrix_in_space(matrix_of(turn));
   Axes shift{};
   for (std::size_t a = 0; a < 3; ++a) shift[a] = whole.shift[a] + whole.fine[a];
   data.frame_origin = in_space(shift);
   data.length = in_space(m.frames.length);
-  if (memory.swivelled_to) {
+  if (memory.swivelled_to || memory.holds_tip) {
     data.machine = rotary;
     data.follows_table = rotary.has_table();
     data.follows_head = rotary.has_head();
-    data.fixed = memory.swivelled_to;
+    data.controls_tip = memory.holds_tip;
+    if (!memory.holds_tip) data.fixed = memory.swivelled_to;
   }
   auto made = std::make_shared<const FiveAxisTransform>(data);
   const auto now = made->turn();
   m.frames.space = std::move(made);
-  m.frames.turn = std::make_shared<const FrameTurn>(FrameTurn{now->rows, data.main, {}});
+  if (now) m.frames.turn = std::make_shared<const FrameTurn>(FrameTurn{now->rows, data.main, {}});
 }
 
 /// Computes machine = origin + length + turn · (shift + work) of the settable frame in force, and the tool length along the normal of the
@@ -161,7 +162,7 @@ void Sinumerik::refresh_frames(Emitter& m) {
     m.frames.length[normal] = offset.whole_length();
     m.frames.length[others[normal][0] == normal ? others[normal][1] : others[normal][1]] += offset.length_x + offset.length_x_wear;
   }
-  if (memory.in_space) place_in_space(m);
+  if (memory.in_space || memory.holds_tip) place_in_space(m);
   // Equal frames stay the same objects, so that a comparison of placements finds no change.
   if (before.turn && m.frames.turn && *before.turn == *m.frames.turn) m.frames.turn = before.turn;
   if (before.space && m.frames.space &&

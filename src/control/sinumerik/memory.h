@@ -67,12 +67,13 @@ enum class NamedMotion : std::uint8_t { none, through_point, tangent, thread };
 
 /// The modes that are values of a fixed size: a block that fails gets all of them back.
 struct Modes {
-  std::optional<Position> counts_on;  // ENDFOR has jumped to the FOR at this position, which counts on
-  Frame active;                       // the settable frame that the last G54 put in force
-  Frame swivel;                       // CYCLE800: between the settable and the programmable frame
+  std::optional<Position> counts_on;       // ENDFOR has jumped to the FOR at this position, which counts on
+  Frame active;                            // the settable frame that the last G54 put in force
+  Frame swivel;                            // CYCLE800: between the settable and the programmable frame
+  bool holds_tip = false;                  // TRAORI: the words of X, Y, Z are the tip, whatever the rotary axes do
   std::optional<RotaryPair> swivelled_to;  // CYCLE800: positions of the rotary axes, if the machine has them
-  Frame programmable;                 // TRANS, ROT …
-  bool in_space = false;              // swivel and programmable frame turn in space: the placement has them, not the transformation
+  Frame programmable;                      // TRANS, ROT …
+  bool in_space = false;                   // swivel and programmable frame turn in space: the placement has them, not the transformation
   NamedMotion motion = NamedMotion::none;
   Vec2 pole;  // in the plane, programmed coordinates
   double polar_angle = 0, polar_radius = 0;

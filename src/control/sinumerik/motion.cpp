@@ -265,7 +265,7 @@ void Sinumerik::note_motion(Emitter& m, Motion& motion) {
 bool Sinumerik::lines_follow(const BlockContext& m) const {
   const Level& own = memory.levels.back();
   return own.acted && !own.modal_call && memory.motion == NamedMotion::none && !memory.feed_in_mm && memory.override_percent == 100 &&
-         memory.rounding == 0 && !memory.in_space && (memory.area_below | memory.area_above) == 0 &&
+         memory.rounding == 0 && !memory.in_space && !memory.holds_tip && (memory.area_below | memory.area_above) == 0 &&
          memory.active == memory.settable[m.modal.work_zero];
 }
 

@@ -32,6 +32,13 @@ struct ApproachStep {
   bool ccw = false;
 };
 
+/// An arc in space of CIP, in the coordinates of the programmable frame.
+struct SpaceArc {
+  Matrix turn = unit_matrix;  // from the plane of the arc, whose axes are those of the plane in force, to the frame
+  Vec3 through, to;
+  Span where;
+};
+
 /// The motion in force before a block that executes another one.
 struct MotionBefore {
   MotionMode motion = MotionMode::none;
@@ -56,6 +63,7 @@ struct BlockWords {
   bool block_feed_known = false;
   std::optional<MotionBefore> motion_before;  // G147 to G348
   std::vector<ApproachStep> retraction;       // after the block's own motion
+  std::optional<SpaceArc> space_arc;          // after the block's other words
   bool moved = false;                         // the block has moved an axis
   bool has(const std::string& name) const { return numbers.contains(name); }
   double number(const std::string& name) const { return numbers.at(name); }
@@ -128,6 +136,7 @@ class Sinumerik final : public Dialect {
 
   Status set_programmable(Emitter& m, const Frame& frame, Span where);
   void place_in_space(Emitter& m);
+  Status emit_in_space(Emitter& m, const SpaceArc& arc);
   Status approach_step(Emitter& m, const ApproachStep& step);
   /// Returns the radius of the tool in force with its wear, without OFFN, mm.
   double tool_radius(const BlockContext& m) const;
@@ -183,6 +192,12 @@ class Sinumerik final : public Dialect {
   Status start_milling(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
   // cycles.cpp: works out the steps; cycle_calls.cpp
   Status start_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
+  /// TRAORI and TRAFOOF: control of the tool tip on a machine with two rotary axes (spec/sinumerik 15).
+  ///   alarms  no_five_axes, compensation_active
+  /// Returns the positions of the rotary axes for a direction of the tool in the programmed frame, of length 1.
+  ///   alarms  direction_unreachable
+  Result<RotaryPair> rotary_positions(const BlockContext& m, Vec3 direction, Span where) const;
+  Status transform_orientation(Emitter& m, bool on, Span where);
   /// CYCLE800: swivels the frame, and turns the rotary axes of a machine that has them (spec/sinumerik 14.6).
   Status swivel(Interpreter& m, const std::vector<Value>& arguments, Span where);
   static bool is_cycle(std::string_view name);

@@ -1,4 +1,4 @@
-// CYCLE800: the swivelled working plane (spec/sinumerik 14.6). Used by control/sinumerik.
+// CYCLE800: the swivelled working plane (spec/sinumerik 14.6); TRAORI (spec/sinumerik 15). Used by control/sinumerik.
 
 #include <algorithm>
 #include <cmath>
@@ -57,9 +57,8 @@ Status Sinumerik::swivel(Interpreter& m, const std::vector<Value>& arguments, Sp
   std::optional<RotaryPair> to;
   if (turns && !back) {
     const Vec3 normal{frame.linear[0][2], frame.linear[1][2], frame.linear[2][2]};
-    const RotaryPair present{m.position.machine[static_cast<std::size_t>(std::max(rotary.first.axis, 0))],
-                             m.position.machine[static_cast<std::size_t>(std::max(rotary.second.axis, 0))]};
-    to = rotary.chosen(normal, present);
+    const auto at_joint = [&](const RotaryJoint& joint) { return m.position.machine[static_cast<std::size_t>(joint.axis)]; };
+    to = rotary.chosen(normal, {at_joint(rotary.first), at_joint(rotary.second)});
     const RotarySolutions all = rotary.solutions(normal);
     if (const double way = number(direction); way != 0)  // INFERRED: the sign of the first rotary axis
       for (int i = 0; i < all.count; ++i)
@@ -74,11 +73,30 @@ Status Sinumerik::swivel(Interpreter& m, const std::vector<Value>& arguments, Sp
   AxisMask named = 0;
   const RotaryPair end = to.value_or(RotaryPair());
   for (const auto& [joint, angle] : {std::pair(&rotary.first, end.first), std::pair(&rotary.second, end.second)}) {
-    if (joint->axis < 0) continue;
     machine[static_cast<std::size_t>(joint->axis)] = angle;
     named |= AxisMask{1} << joint->axis;
   }
   return m.to_machine(MotionKind::rapid, machine, named, 0);
+}
+
+Result<RotaryPair> Sinumerik::rotary_positions(const BlockContext& m, Vec3 direction, Span where) const {
+  const Matrix turn = product(memory.active.linear, chained(memory.swivel, memory.programmable).linear);
+  const auto row = [&](std::size_t i) { return turn[i][0] * direction.x + turn[i][1] * direction.y + turn[i][2] * direction.z; };
+  const Vec3 outside{row(0), row(1), row(2)};
+  const auto at = [&](const RotaryJoint& joint) { return m.position.machine[static_cast<std::size_t>(joint.axis)]; };
+  const auto chosen = rotary.chosen(1 / std::sqrt(dot(outside, outside)) * outside, {at(rotary.first), at(rotary.second)});
+  if (!chosen) return fail(alarm(AlarmId::direction_unreachable, where, outside.x, outside.y, outside.z));
+  return *chosen;
+}
+
+Status Sinumerik::transform_orientation(Emitter& m, bool on, Span where) {
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, where, on ? "TRAORI" : "TRAFOOF"));
+  if (on && rotary.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, where, "TRAORI"));
+  memory.holds_tip = on;
+  m.change_frames();
+  m.position.programmed = m.transform.to_programmed(m.position.work);
+  memory.has_direction = false;
+  return {};
 }
 
 }  // namespace kadr::sinumerik

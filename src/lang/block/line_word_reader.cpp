@@ -1,4 +1,4 @@
-// Reads the lines of Grbl as words (spec/grbl 1.1 to 1.3). Used by lang/block/lexer; tested by tests/lang/line_word_test.cpp.
+// Reads the lines of Grbl as words (spec/grbl 1.1 to 1.3). Used by lang/block/lexer; tested by tests/grbl_oracle.py.
 
 #include "lang/block/line_word_reader.h"
 

@@ -1,4 +1,4 @@
-// Draws the page of a cut part. This file is used by cli/cut and tested by tests/out/part_view_test.cpp.
+// Draws the page of a cut part. This file is used by cli/cut and tested by tests/run_cut.py.
 
 #include "out/picture/part_page.h"
 

@@ -1,4 +1,4 @@
-// Draws a cut part as pixels. This file is used by out/picture/part_page and tested by tests/out/part_view_test.cpp.
+// Draws a cut part as pixels. This file is used by out/picture/part_page and tested by tests/run_cut.py.
 
 #include "out/picture/part_view.h"
 

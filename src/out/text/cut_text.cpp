@@ -1,4 +1,4 @@
-// Describes the result of a cut in words and as JSON. This file is used by cli/cut and tested by tests/out/cut_text_test.cpp.
+// Describes the result of a cut in words and as JSON. This file is used by cli/cut and tested by tests/run_cut.py.
 
 #include "out/text/cut_text.h"
 

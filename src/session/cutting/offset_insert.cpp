@@ -1,4 +1,4 @@
-// Makes inserts from offset tables. Tested by tests/session/turned_cutting_test.cpp.
+// Makes inserts from offset tables. Tested by tests/session/offset_insert_test.cpp.
 
 #include "session/cutting/offset_insert.h"
 

@@ -1,5 +1,5 @@
 // Cuts a spinning part by the steps of a lathe's program. Used by session/cutting/turned_run; tested by
-// tests/session/turned_cutting_test.cpp and tests/run_cut.py.
+// tests/run_cut.py.
 
 #include "session/cutting/turned_cutting.h"
 
