@@ -105,7 +105,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::probe: return has_function(def, {Function::probe, Function::probe_move, Function::measure, Function::measure_length});
     case SetupNeeds::skip_question: return def.behaviour.skip_asks;
     case SetupNeeds::machine_axes: return def.machine_axes();
-    case SetupNeeds::kinematics: return def.machine_axes() || def.grammar.klartext_blocks;
+    case SetupNeeds::kinematics: return def.machine_axes() || def.grammar.klartext_blocks || def.grammar.named_blocks;
   }
   return true;
 }

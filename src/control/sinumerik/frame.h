@@ -27,6 +27,9 @@ Frame chained(const Frame& outer, const Frame& inner);
 std::optional<Frame> inverse(const Frame& frame);
 Axes applied(const Frame& frame, const Axes& point);
 
+/// Returns the coordinates of X, Y and Z.
+inline Vec3 in_space(const Axes& axes) { return {axes[0], axes[1], axes[2]}; }
+
 /// Returns the rotation about an axis (0 X, 1 Y, 2 Z), in degrees, counter-clockwise seen from its positive end.
 Matrix rotation_about(std::size_t axis, double degrees);
 /// Returns the rotation about Z, then about the new Y, then about the new X (RPY, spec/sinumerik 11.2).

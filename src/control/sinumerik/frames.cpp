@@ -23,7 +23,7 @@ bool Sinumerik::is_frame_statement(std::string_view name) {
 Status Sinumerik::set_programmable(Emitter& m, const Frame& frame, Span where) {
   const Frame whole = memory.swivel.is_unchanged() ? frame : chained(memory.swivel, frame);
   auto transform = transform_of(whole);
-  const bool in_space = !transform;
+  const bool in_space = !transform || memory.swivelled_to;  // a swivelled plane turns with the rotary axes of the machine
   if (in_space) transform = scale_in_space(whole);
   if (!transform) return fail(alarm(AlarmId::not_available, where, "ROT"));
   for (std::size_t a = 0; a < 3; ++a)
@@ -111,8 +111,6 @@ namespace {
 Mat3 matrix_in_space(const Matrix& m) {
   return {{Vec3{m[0][0], m[0][1], m[0][2]}, Vec3{m[1][0], m[1][1], m[1][2]}, Vec3{m[2][0], m[2][1], m[2][2]}}};
 }
-
-Vec3 in_space(const Axes& axes) { return {axes[0], axes[1], axes[2]}; }
 
 }  // namespace
 

@@ -11,8 +11,6 @@
 namespace kadr::sinumerik {
 namespace {
 
-Vec3 in_space(const Axes& axes) { return {axes[0], axes[1], axes[2]}; }
-
 /// Returns the point in the coordinates of the turned frame.
 Vec3 turned(const Matrix& turn, Vec3 p) {
   const auto column = [&](std::size_t j) { return turn[0][j] * p.x + turn[1][j] * p.y + turn[2][j] * p.z; };
