@@ -8,6 +8,7 @@
 #include "base/tolerance.h"
 #include "control/flow/program_file.h"
 #include "control/functions/cutter_compensation.h"
+#include "control/functions/rotary_machine.h"
 #include "control/heidenhain/block_run.h"
 #include "lang/block/block_reader.h"
 #include "lang/klartext/klartext_parser.h"
@@ -96,7 +97,7 @@ void Heidenhain::take_setup(Emitter& m, const Setup& setup) {
   for (const auto& [name, value] : setup.variables)
     if (const auto named = parameter_named(name); named && value) family(named->family)[named->index] = *value;
   read_tool_table(m);
-  take_kinematics(m, setup);
+  five_axis = rotary_machine(setup.kinematics, m.def, missing_axes);
   m.modal.offset_number = m.modal.tool;
   m.change_frames();
   memory.inch_outermost = m.modal.inch;

@@ -109,7 +109,6 @@ class Heidenhain final : public Dialect {
   void reset_frames();
   // tilting.cpp
   Status plane(Interpreter& m, const KlartextBlock& block);
-  void take_kinematics(const BlockContext& m, const Setup& setup);
   Status set_axis_angles(BlockContext& m, const Mat3& to, const KlartextBlock& block);
   Status turn_axes(Interpreter& m, const KlartextBlock& block);
   Status retract_first(Interpreter& m, const KlartextBlock& block);

@@ -188,36 +188,6 @@ void Heidenhain::note_axis_angles(const BlockContext& m, RotaryPair pair) {
   }
 }
 
-/// Takes the rotary axes of the set-up (the key `kinematics`).
-void Heidenhain::take_kinematics(const BlockContext& m, const Setup& setup) {
-  const KinematicsSetup& given = setup.kinematics;
-  if (given.axes.size() != 2) return;
-  five_axis.group = given.type == "head-head"     ? MachineGroup::head_head
-                    : given.type == "table-table" ? MachineGroup::table_table
-                    : given.type == "head-table"  ? MachineGroup::head_table
-                                                  : MachineGroup::none;
-  for (const std::size_t n : {0U, 1U}) {
-    RotaryJoint& joint = n == 0 ? five_axis.first : five_axis.second;
-    const char letter = given.axes[n];
-    const auto at = std::find(m.def.axes.begin(), m.def.axes.end(), std::string(1, letter));
-    if (at == m.def.axes.end() || (missing_axes & letter_bit(letter)) != 0) {
-      five_axis.group = MachineGroup::none;
-      return;
-    }
-    joint.axis = static_cast<int>(at - m.def.axes.begin());
-    joint.direction = letter == 'A' ? Vec3{1, 0, 0} : letter == 'B' ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-    joint.sense = given.reversed.find(letter) != std::string::npos ? -1 : 1;
-  }
-  const auto vector = [&](const char* name, Vec3& to) {
-    if (const auto found = given.vectors.find(name); found != given.vectors.end())
-      to = {found->second[0], found->second[1], found->second[2]};
-  };
-  vector("T1", five_axis.table);
-  vector("T2", five_axis.second_table);
-  vector("E", five_axis.holder);
-  vector("D", five_axis.head);
-}
-
 /// Computes Q120 to Q122, the positions of the rotary axes that the plane needs (spec/heidenhain 13.2).
 ///   alarms  direction_unreachable
 Status Heidenhain::set_axis_angles(BlockContext& m, const Mat3& to, const KlartextBlock& block) {

@@ -76,6 +76,7 @@ class BlockRun {
   Status axis_by_variable(const NamedItem& item);
   /// OVR=, FB=, LIMS= (spec/sinumerik 5, 12.1).
   Status feed_word(const NamedItem& item);
+  double unit_of_feed() const;
   /// FGROUP(X,Y,Z): the feed of the geometry axes, as without it.
   Status feed_group(const NamedItem& item);
   /// POS[X]=5, FA[X]=200: a positioning axis (spec/sinumerik 3.1).

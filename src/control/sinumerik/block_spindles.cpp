@@ -54,7 +54,7 @@ Status BlockRun::positioning(const NamedItem& item) {
   const auto value = own_.number(m_, read_, item.value, item.where);
   if (!value) return fail(value.error());
   if (item.name == "FA") {
-    if (!(*value > 0)) return fail(alarm(AlarmId::value_out_of_range, item.where, "FA", *value));
+    if (!(*value > 0) && !(item.name == "FRCM" && *value == 0)) return fail(alarm(AlarmId::value_out_of_range, item.where, "FA", *value));
     own_.memory.positioning_feed[*axis] = *value;
     return {};
   }
@@ -139,6 +139,11 @@ Status BlockRun::axis_by_variable(const NamedItem& item) {
   return add(m_.letters.axis_letter[*axis], *value, item);
 }
 
+/// Returns the unit of a feed word, mm.
+double BlockRun::unit_of_feed() const {
+  return m_.modal.feed_mode == FeedMode::inverse_time || own_.memory.feed_in_mm ? 1.0 : m_.unit_scale();
+}
+
 Status BlockRun::feed_word(const NamedItem& item) {
   const auto value = number_of(item);
   if (!value) return fail(value.error());
@@ -148,15 +153,15 @@ Status BlockRun::feed_word(const NamedItem& item) {
     if (*value > 200) return fail(alarm(AlarmId::value_out_of_range, item.where, "OVR", *value));
     m_.modal.feed *= *value / memory.override_percent;
     memory.override_percent = *value;
-  } else if (item.name.starts_with("FRC")) {  // the feed of a chamfer or rounding: its path stays, its time is that of the block's feed
+  } else if (item.name == "FRC" || item.name == "FRCM") {
+    (item.name == "FRC" ? own_.words.corner_feed : memory.corner_feed) = *value * unit_of_feed();
   } else if (item.name == "LIMS") {
     memory.surface_most = *value;
     if (m_.modal.surface_speed) m_.emit(m_.surface_speed());
   } else {  // FB: the modal feed comes back after the block
     own_.words.block_feed = m_.modal.feed;
     own_.words.block_feed_known = m_.modal.feed_known;
-    const double unit = m_.modal.feed_mode == FeedMode::inverse_time || memory.feed_in_mm ? 1.0 : m_.unit_scale();
-    m_.modal.feed = *value * unit * memory.override_percent / 100;
+    m_.modal.feed = *value * unit_of_feed() * memory.override_percent / 100;
     m_.modal.feed_known = true;
   }
   return {};

@@ -245,7 +245,7 @@ bool Sinumerik::end_program(Interpreter& m) {
   level().modal_call.reset();
   m.flow.frames().clear();
   memory.motion = NamedMotion::none;
-  memory.rounding = memory.tolerance = m.modal.blend_tolerance = 0;
+  memory.rounding = memory.corner_feed = memory.tolerance = m.modal.blend_tolerance = 0;
   memory.feed_in_mm = false;
   memory.override_percent = 100;
   memory.approach_in_plane = false;

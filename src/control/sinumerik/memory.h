@@ -78,6 +78,7 @@ struct Modes {
   Vec2 pole;  // in the plane, programmed coordinates
   double polar_angle = 0, polar_radius = 0;
   double rounding = 0;                      // RNDM
+  double corner_feed = 0;                   // FRCM; 0: the feed of the block
   std::uint32_t edge = 0;                   // D in force
   bool radius_increments = false;           // DIAM90: increments of the axis of diameters are radii
   Axes positioning_feed{};                  // FA, mm/min or degrees/min; 0: rapid

@@ -234,6 +234,7 @@ void Sinumerik::note_motion(Emitter& m, Motion& motion) {
   if (cuts && (motion.named & plane) != 0 && (rounding > 0 || chamfer != 0)) {
     auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
     CornerData corner;
+    corner.feed = (words.corner_feed > 0 ? words.corner_feed : memory.corner_feed) * memory.override_percent / 100;
     corner.optional = !words.has("RND") && chamfer == 0;
     corner.rounding = rounding * m.transform.corner_scale(m.modal.axes);
     corner.chamfer = chamfer * m.transform.corner_scale(m.modal.axes);

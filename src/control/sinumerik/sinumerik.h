@@ -61,6 +61,7 @@ struct BlockWords {
   std::optional<Modal> chuck;        // G63: the modes before its block
   std::optional<double> block_feed;  // FB: the feed after its block
   bool block_feed_known = false;
+  double corner_feed = 0;                     // FRC: of the chamfer or rounding of the block; 0: FRCM, or the feed of the block
   std::optional<MotionBefore> motion_before;  // G147 to G348
   std::vector<ApproachStep> retraction;       // after the block's own motion
   std::optional<SpaceArc> space_arc;          // after the block's other words
