@@ -1,5 +1,5 @@
 // The engine of a page that has no server: the sessions of view in a Web Worker. web/src/engine/worker.ts calls these functions; tested by
-// tests/web_engine.py and web/e2e/alone.mjs.
+// tests/alone/traces.py and web/e2e/alone.mjs.
 //
 //   kadr_begin(folder, html, licences) once: the folder, in the memory of the worker, whose files the page shows; the viewer of reports and
 //                                      the licences of its components

@@ -26,7 +26,7 @@ Vec2 in_plane(Vec3 p, PlaneAxes plane) {
 
 /// Takes the axis words out of the block, which has no other motion, and leaves the arc to after_block(). `through` and `to`: programmed
 /// coordinates.
-///   alarms  not_available: beside compensation, TRAORI or TURN
+///   alarms  not_available: with compensation, TRAORI or TURN
 ///   returns false if the three points are on a line, in their order: the block is a line
 Result<bool> BlockRun::arc_in_space(const Axes& through, const Axes& to) {
   if (m_.modal.radius_side != 0 || own_.memory.holds_tip || own_.words.has("TURN"))

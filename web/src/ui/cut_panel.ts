@@ -171,7 +171,7 @@ export class CutPanel {
   }
 
   /// A button that is replaced or disabled while it is pressed hears no click. So it stays while the program runs again
-  /// after each change of its text, and a click during a run is carried out at the end of the run.
+  /// after each change of its text, and a click during a run cuts at the end of the run.
   private draw_run(): void {
     const there = this.known || this.app.opened !== null;
     const shown = there ? `${this.app.cutting} ${t("cut")}` : "";
