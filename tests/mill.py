@@ -19,7 +19,7 @@ SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1
 # as printed in the source: with blanks, some with their direction (shared/seeds, figure of the schemes)
 RUSSIAN = ['ЗИГЗАГ', '1 ЗИГЗАГ', '2 ЗИГЗАГ', 'СПИР ПЧС', 'АСПИР ЧС', 'ШТИП', '1 ШТИП', '2 ШТИП']
 SAME = [('1ЗИГЗАГ', '1 зигзаг'), ('СПИР', 'спир пчс'), ('СПИРЧС', 'СПИР ЧС'), ('АСПИР', 'АСПИР ЧС'), ('2\u00a0ШТИП', '2ШТИП')]
-CONTROLS = ['s2c42', 'mach3', 'nct', 'correctors', 'gost']
+CONTROLS = ['s2c42', 'mach3', 'nct', 'correctors', 'gost', 'heidenhain']
 PLUNGES = ['hole', 'tangential', 'ramp']
 WIDTH, HEIGHT, TOOL, DEPTH, ISLAND = 60, 40, 10, 4, (30, 20, 4)   # a pocket with a round island
 
