@@ -42,8 +42,12 @@ TEST(ServedFolder, IsNotLeftStepByStepEither) {
     for (const char* const name : {"", "a.nc", "sub", "sub/b.nc", "sub/deep/c.nc", "./a.nc", "..", "../out.nc", "sub/../a.nc", "link.nc",
                                    "up/out.nc", "sub/also/c.nc", "/etc/passwd", "a.nc/", "a.nc/b", "none", "none/b.nc"}) {
       const served::OpenFile kernel = served::open(folder.fd(), name, O_RDONLY), steps = served::open_by_parts(folder.fd(), name, O_RDONLY);
-      if (std::string_view(name) != "sub/../a.nc") EXPECT_EQ(kernel.is_open(), steps.is_open()) << name;
-      if (std::string_view(name).find("..") != std::string_view::npos) EXPECT_FALSE(steps.is_open()) << name;
+      if (std::string_view(name) != "sub/../a.nc") {
+        EXPECT_EQ(kernel.is_open(), steps.is_open()) << name;
+      }
+      if (std::string_view(name).find("..") != std::string_view::npos) {
+        EXPECT_FALSE(steps.is_open()) << name;
+      }
     }
     const served::OpenFile made = served::open_by_parts(folder.fd(), "sub/new.nc", O_WRONLY | O_CREAT | O_EXCL, 0644);
     EXPECT_TRUE(made.is_open());
