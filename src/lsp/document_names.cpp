@@ -64,7 +64,11 @@ class BlockNames {
     for (std::uint32_t i = 0; i < block_.word_count; ++i) take_word(block_.words[i], naming);
     take_variables();
     const bool alone = block_.empty() && block_.comments.size() == 1;
-    if (alone) add(NameKind::heading, false, block_.comments.front(), std::string(block_.text_of(block_.comments.front())));
+    if (!alone) return;
+    std::string_view text = block_.text_of(block_.comments.front());
+    if (def_.grammar.klartext_blocks)  // * - Outline
+      while (!text.empty() && (text[0] == ' ' || text[0] == '-')) text.remove_prefix(1);
+    add(NameKind::heading, false, block_.comments.front(), std::string(text));
   }
 
  private:

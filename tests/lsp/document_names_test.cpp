@@ -47,7 +47,9 @@ TEST(DocumentNames, FindsNamesOfConversationalBlocks) {
       names_of("heidenhain",
                "0 BEGIN PGM PLATE MM\n1 TOOL CALL 5 Z S2000\n2 LBL 07\n3 Q1 = Q1 + QL2 ; Q9\n4 CALL LBL 7 REP 2\n5 FN 9: IF +Q1 EQU +3 "
                "GOTO LBL \"End\"\n6 CALL PGM TNC:\\PARTS\\Hole.H\n7 LBL 0\n* - Outline\n"),
-      "0 O plate*\n1 T 5\n2 label 7*\n3 # q1*\n3 # q1\n3 # ql2\n4 label 7\n5 label End\n5 # q1\n6 O hole\n8 heading - Outline\n");
+      "0 N 0*\n0 O plate*\n1 N 1*\n1 T 5\n2 N 2*\n2 label 7*\n3 N 3*\n3 # q1*\n3 # q1\n3 # ql2\n4 N 4*\n4 label 7\n5 N 5*\n5 label End\n5 "
+      "# q1\n6 N 6*\n6 "
+      "O hole\n7 N 7*\n8 heading Outline\n");
 }
 
 TEST(DocumentNames, KeepsBlockNumbersOfProgramsApart) {

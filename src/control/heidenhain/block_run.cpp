@@ -181,6 +181,7 @@ Status BlockRun::modes_before() {
 
 Status BlockRun::finish_motion() {
   if (moves(read_.kind)) own_.memory.moved_at_rapid = rapid_;
+  if (read_.kind == KlartextKind::line) own_.note_straight(m_, rapid_);
   KADR_TRY(functions(true));
   if (read_.kind == KlartextKind::stop) KADR_TRY(run_code(0, m_.block->where));
   const bool called = calls_ || (own_.memory.calls_always && moves(read_.kind));

@@ -323,6 +323,13 @@ void Heidenhain::note_motion(Emitter& m, Motion& motion) {
   previous_ = m.position.work;
 }
 
+void Heidenhain::note_straight(BlockContext& m, bool rapid) {
+  const std::int32_t row = m.def.row_of('G', rapid ? 0 : 10);
+  if (row < 0) return;
+  m.modal.rows[m.def.codes[static_cast<std::size_t>(row)].group] = static_cast<std::int16_t>(row);
+  m.modal.motion = rapid ? MotionMode::rapid : MotionMode::linear;
+}
+
 void Heidenhain::note_line(BlockContext& m) {
   const PlaneAxes plane = m.modal.axes;
   const Axes& now = m.position.programmed;

@@ -102,6 +102,8 @@ class Heidenhain final : public Dialect {
   Status tool_call(Interpreter& m, const KlartextBlock& block);
   Status tool_definition(Interpreter& m, const KlartextBlock& block);
   bool knows_tool(const BlockContext& m, std::uint32_t tool) const;
+  /// Notes G0 or G1 as the code in force, as a line of plain words does that the table executes.
+  static void note_straight(BlockContext& m, bool rapid);
   // frames.cpp
   Status set_frame(Emitter& m);
   Status shift_datum(Emitter& m, const KlartextBlock& block);

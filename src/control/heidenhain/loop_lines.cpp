@@ -272,6 +272,7 @@ LoopLines::Step LoopLines::move(Interpreter& m, const Line& line, std::uint64_t 
   moved_ = true;
   if (!m.straight(line.rapid ? MotionKind::rapid : MotionKind::feed, to, named)) return Step::stops;
   own_.memory.moved_at_rapid = line.rapid;
+  own_.note_straight(m, line.rapid);
   return Step::on;
 }
 

@@ -110,15 +110,19 @@ void CornerResolver::motion(Action& action, End end) {
     now_.waiting.push_back(std::move(action));
     return;
   }
+  bool unfit = is_shaped(contour_of(m)) && !alone_in_plane(m);
+  if (unfit && contour_of(m)->optional) {
+    without_corner_data(std::get<Motion>(action.what));
+    unfit = false;
+  }
   const CornerData* const c = contour_of(m);
   std::optional<Start> start = Start{in_plane(now_.at.work, m), {}, 0, false};
   if (now_.held) start = join(action, end);
   else if (is_over_determined(c)) fail(AlarmId::contour_no_intersection, action.origin);
-  const bool unfit = is_shaped(c) && !alone_in_plane(m);
-  if (!fault_ && unfit && !c->optional) fail(AlarmId::corner_illegal, action.origin);
+  if (!fault_ && unfit) fail(AlarmId::corner_illegal, action.origin);
   now_.at.take(m);
   if (fault_) return;
-  const bool waits = end == End::open || (is_shaped(c) && !unfit) || has_only_direction(c);
+  const bool waits = end == End::open || is_shaped(c) || has_only_direction(c);
   if (!waits && c == nullptr && start->cut == 0 && !start->calculated) {
     out_.add() = std::move(action);
     return;
@@ -134,7 +138,7 @@ std::optional<CornerResolver::Start> CornerResolver::join(const Action& action, 
   const CornerData *const own = contour_of(held()), *const its = contour_of(m);
   const bool same_plane = is_element(m) && m.first == held().first && m.second == held().second;
   const bool calculated = is_over_determined(its) && same_plane;
-  const bool fits = same_plane && alone_in_plane(m) && alone_in_plane(held());
+  const bool fits = same_plane && alone_in_plane(m);
   if (is_shaped(own) && !fits && !own->optional) return failed(AlarmId::corner_illegal, now_.held->action.origin);
   if (has_only_direction(own) && !calculated) return failed(AlarmId::contour_angle_end, now_.held->action.origin);
   if (is_over_determined(its) && !calculated) return failed(AlarmId::contour_no_intersection, action.origin);
