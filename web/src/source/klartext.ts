@@ -1,5 +1,5 @@
 // The words of a conversational block of a Heidenhain control, for colouring only.
-import type { TokenKind } from "./tokens";
+import type { TokenKind } from "./token_kind";
 
 const opening =
   "BEGIN PGM|END PGM|BLK FORM|TOOL CALL|TOOL DEF|CYCLE? DEF|CYCLE? CALL|CALL LBL|CALL PGM|CALL SELECTED|SEL \\w+|LBL|" +

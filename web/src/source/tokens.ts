@@ -1,9 +1,7 @@
 // The words of a line of G-code, for colouring only: comments, N, G, M, axes, variables, O words. The meaning of a
 // word comes from the control, not from this table.
 import { is_klartext, klartext_token } from "./klartext";
-
-export type TokenKind =
-  "comment" | "label" | "motion" | "function" | "axis" | "feed" | "variable" | "program" | "keyword" | "number" | "";
+import type { TokenKind } from "./token_kind";
 
 const keywords =
   "IF THEN ELSE GOTO WHILE DO END ELSEIF ENDIF ENDWHILE SUB ENDSUB CALL RETURN REPEAT ENDREPEAT " +
