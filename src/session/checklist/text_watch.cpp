@@ -46,6 +46,15 @@ bool has_code(const Block& block, char letter, std::int32_t tenth) {
                      [&](const Word& w) { return w.address == letter && w.code == tenth; });
 }
 
+/// Returns true if a program may lead to the block by its name: a label or the head of a subprogram of a language with names
+/// (spec/heidenhain 9, spec/sinumerik 8, 9).
+bool has_name(const Block& block) {
+  if (block.statement.label_where.end > block.statement.label_where.begin) return true;
+  const std::string_view text = block.text_of(block.statement.text);
+  if (block.statement.kind == StatementKind::klartext) return text.starts_with("LBL");
+  return block.statement.kind == StatementKind::named && (text.starts_with("PROC") || text.starts_with("%"));
+}
+
 }  // namespace
 
 Origin TextWatch::origin_of(const Block& block) {
@@ -218,7 +227,7 @@ void TextWatch::take_flow(const Block& block) {
     if (begins) ended_ = false;
     if (sections_.size() > 1) absolute_ = false, in_xy_ = true;
   }
-  if (block.marker == Marker::program_start || block.marker == Marker::section) ended_ = false;
+  if (block.marker == Marker::program_start || block.marker == Marker::section || has_name(block)) ended_ = false;
   Section& now = sections_.back();
   const Statement& s = block.statement;
   if (s.kind == StatementKind::go_to) {
