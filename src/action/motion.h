@@ -61,6 +61,7 @@ enum class CompensationApproach : std::uint8_t {
   // the point of `normal`; all other rules are those of `by_corner`, except that the last compensated motion ends on the normal to its own
   // end (type A, fanuc-t 7.3)
   square,
+  around,  // as `normal`, but from a point behind the contour the tool moves around the contour's first corner (KONT, spec/sinumerik 13.2)
 };
 
 /// An axis that copies the travel of another axis, its master (nct 20.2).

@@ -67,6 +67,8 @@ class Interpreter final : public Emitter {
   BlockState state_now() const;
   std::vector<InForce> in_force();
   LatheModes lathe_modes() const;
+  /// Returns the set-up of the run, for a copy of the interpreter (control/outline_run.h); nullptr if the dialect makes no copies.
+  const Setup* kept_setup() const { return kept_setup_.get(); }
   /// Copies the data that the channels of a machine share from the interpreter of another channel.
   void take_common(const Interpreter& from);
 
@@ -184,6 +186,7 @@ class Interpreter final : public Emitter {
     if (phase_ == RunPhase::end_of_block) phase_ = RunPhase::next_block;
   }
 
+  std::unique_ptr<const Setup> kept_setup_;
   RunPhase phase_ = RunPhase::next_block;
   Plan plan_;
   /// The plan of a block that a loop executes again. The address of the block in memory identifies the plan.

@@ -72,6 +72,7 @@ void Interpreter::check_setup(const Setup& setup) {
 }
 
 void Interpreter::read_setup(const Setup& setup) {
+  if (dialect->reads_outlines()) kept_setup_ = std::make_unique<const Setup>(setup);
   axis_names = def.axes;
   axis_count = axis_names.size();
   probe_stated = !setup.probe.empty() || setup.probe_hole.has_value();

@@ -56,6 +56,8 @@ class ProgramDialect {
   virtual std::string start_words() const { return {}; }
   /// Ends the start-up of the dialect. At this moment the tool is at the start position of the set-up.
   virtual void started(Emitter& m);
+  /// Returns true if cycles of the dialect read contours from subprograms (control/outline_run.h), for which the set-up is kept.
+  virtual bool reads_outlines() const { return false; }
   /// Returns the limits of an axis from a file of the machine, in machine coordinates (mm, degrees); ±1e300 if the file gives none. Limits
   /// in the set-up and in a machine description have priority.
   virtual std::pair<double, double> limits_by_file(std::size_t axis) const;

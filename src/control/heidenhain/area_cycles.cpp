@@ -65,8 +65,9 @@ void AreaMaker::take_levels() {
 Status AreaMaker::needs_feed() const { return m_.modal.feed_known ? Status() : Status(fail(alarm(AlarmId::feed_missing, where_))); }
 
 Status AreaMaker::take_common() {
-  radius_ = own_.tool_radius(m_);
-  if (!(radius_ > 0)) return fail(alarm(AlarmId::pocket_tool_missing, where_, double(m_.modal.tool)));
+  const auto cutter = own_.cutter_radius(m_, where_);
+  if (!cutter) return fail(cutter.error());
+  radius_ = *cutter;
   take_levels();
   infeed_ = std::fabs(length_of(202));
   finish_infeed_ = given(338) ? std::fabs(length_of(338)) : 0;

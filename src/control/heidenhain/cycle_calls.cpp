@@ -17,7 +17,8 @@ namespace {
 constexpr int callable[] = {1, 2, 17, 18, 200, 201, 202, 203, 205, 206, 207, 208, 209, 240, 241};
 
 bool is_callable(int cycle) {
-  return std::find(std::begin(callable), std::end(callable), cycle) != std::end(callable) || is_area_cycle(cycle);
+  return std::find(std::begin(callable), std::end(callable), cycle) != std::end(callable) || is_area_cycle(cycle) ||
+         Heidenhain::is_contour_cycle(cycle);
 }
 
 }  // namespace
@@ -122,8 +123,9 @@ Status Heidenhain::define_cycle(Interpreter& m, const KlartextBlock& block) {
       memory.cycle = 12;
       memory.calls_always = false;
       return {};
+    case 14: return block.part == 0 ? Status() : take_contours(block, where);
+    case 20: take_contour_data(); return {};
     case 13:
-    case 14:
     case 32:
     case 239:  // the load is weighed, the drives are tuned: the path stays as it is
     case 392: m.warn(warning(AlarmId::word_passed_over, where, std::string_view("CYCL DEF " + std::to_string(cycle)))); return {};
@@ -173,6 +175,7 @@ Status Heidenhain::define_cycle(Interpreter& m, const KlartextBlock& block) {
 Status Heidenhain::call_cycle(Interpreter& m, Span where, double raised) {
   if (memory.cycle < 0) return fail(alarm(AlarmId::cycle_undefined, where));
   if (memory.cycle == 12) return call_program(m, memory.cycle_program, where);
+  if (is_contour_cycle(memory.cycle)) return mill_contours(m, where);
   CycleMaker maker(m, *this, where);
   maker.raise_surface(raised);
   KADR_TRY(maker.at_point());

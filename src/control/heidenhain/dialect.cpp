@@ -123,7 +123,7 @@ Result<bool> Heidenhain::takes_block(Interpreter& m) {
   if (!is_text && !needs_text(m)) {
     for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
       const Word& w = m.block->words[i];
-      if ((missing_axes & letter_bit(w.address)) != 0 && w.address != 'F') return fail(alarm(AlarmId::not_available, w.where, w.address));
+      if ((missing_axes & letter_bit(w.address)) != 0 && w.address != 'F') return fail(alarm(AlarmId::axis_not_named, w.where, w.address));
       if (w.address == 'F' && !(w.value > 0)) return fail(alarm(AlarmId::value_out_of_range, w.where, 'F', w.value));
       if (w.address == 'G' && ((w.code == 410 && m.modal.radius_side == 1) || (w.code == 420 && m.modal.radius_side == -1)))
         return fail(alarm(AlarmId::compensation_active, w.where, m.block->text_of(w.where)));

@@ -81,19 +81,11 @@ Status Heidenhain::call_label(Interpreter& m, const KlartextBlock& block) {
       name = std::to_string(static_cast<long>(std::lround(*number)));
     }
   }
+  if (block.part < 0) return call_subprogram(m, name, block.where);
   const auto* const label = index(m).label(name);
   if (label == nullptr) return fail(alarm(AlarmId::label_missing, block.where, std::string_view(name)));
   if (label->twice) return fail(alarm(AlarmId::label_twice, block.where, std::string_view(name)));
   loops_ = true;
-  if (block.part < 0) {
-    CallFrame frame;
-    frame.kind = CallFrame::Kind::subprogram;
-    frame.left = 1;
-    frame.caller = m.origin;
-    KADR_TRY(m.flow.call_at(m.program().reader(), label->at, frame, block.where));
-    memory.calls.emplace_back();
-    return {};
-  }
   const auto key = std::pair(m.program().reader(), m.block->position.offset);
   const auto open = memory.repeats.find(key);
   double left = 0;
@@ -111,6 +103,20 @@ Status Heidenhain::call_label(Interpreter& m, const KlartextBlock& block) {
   }
   memory.repeats[key] = left - 1;
   m.flow.jump(label->at);
+  return {};
+}
+
+Status Heidenhain::call_subprogram(Interpreter& m, const std::string& name, Span where) {
+  const auto* const label = index(m).label(name);
+  if (label == nullptr) return fail(alarm(AlarmId::label_missing, where, std::string_view(name)));
+  if (label->twice) return fail(alarm(AlarmId::label_twice, where, std::string_view(name)));
+  loops_ = true;
+  CallFrame frame;
+  frame.kind = CallFrame::Kind::subprogram;
+  frame.left = 1;
+  frame.caller = m.origin;
+  KADR_TRY(m.flow.call_at(m.program().reader(), label->at, frame, where));
+  memory.calls.emplace_back();
   return {};
 }
 

@@ -43,6 +43,7 @@ class Heidenhain final : public Dialect {
   Status restore(BlockContext& m, const DialectState& from) override;
   void take_setup(Emitter& m, const Setup& setup) override;
   bool end_program(Interpreter& m) override;
+  bool reads_outlines() const override { return true; }
   Result<bool> end_of_file(BlockContext& m) override;
 
   // ---- blocks
@@ -85,6 +86,9 @@ class Heidenhain final : public Dialect {
   Result<double> parameter(const BlockContext& m, ParameterFamily family, std::uint16_t index, Span where) const;
   Result<double> system_value(BlockContext& m, double id, double number, double index, Span where) const;
   double tool_radius(const BlockContext& m) const;
+  /// Returns the radius that a milling cycle needs, mm, and notes for `kadr setup` that it is needed.
+  ///   alarms  cycle_tool_radius
+  Result<double> cutter_radius(BlockContext& m, Span where) const;
   double tool_length(const BlockContext& m) const;
   /// Returns the feed per revolution of a feed per tooth.
   ///   alarms  not_available: the tool table does not have the number of teeth
@@ -93,6 +97,9 @@ class Heidenhain final : public Dialect {
   const ProgramIndex& index(const BlockContext& m, std::uint16_t reader);
   const ProgramIndex& index(const BlockContext& m) { return index(m, m.program().reader()); }
   Status call_label(Interpreter& m, const KlartextBlock& block);
+  /// Calls the subprogram at a label, whose name is written as the index has it.
+  ///   alarms  label_missing, label_twice, call_too_deep
+  Status call_subprogram(Interpreter& m, const std::string& name, Span where);
   Status jump(Interpreter& m, const KlartextBlock& block);
   Status call_program(Interpreter& m, const std::string& path, Span where);
   Status leave(Interpreter& m, Span where);
@@ -124,6 +131,12 @@ class Heidenhain final : public Dialect {
   Status define_cycle(Interpreter& m, const KlartextBlock& block);
   Status call_cycle(Interpreter& m, Span where, double raised = 0);
   Status take_parameters(BlockContext& m, const KlartextBlock& block);
+  // contour_cycles.cpp
+  /// Returns true for the cycles 21 to 25, which work on the contours of cycle 14 (spec/heidenhain 12.12).
+  static bool is_contour_cycle(int cycle) { return cycle >= 21 && cycle <= 25; }
+  Status take_contours(const KlartextBlock& block, Span where);
+  void take_contour_data();
+  Status mill_contours(Interpreter& m, Span where);
   Status take_old_line(BlockContext& m, const KlartextBlock& block);
   Status call_pattern(Interpreter& m, const KlartextBlock& block);
   // tables.cpp

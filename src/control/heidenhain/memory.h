@@ -55,6 +55,9 @@ struct Modes {
   std::array<double, 10> old_feed{};        // the F of these lines
   std::array<std::int8_t, 10> old_sense{};  // DR+, DR- of these lines
   std::bitset<first_builder_q> defined;     // parameters that the definition in force gives
+  std::array<double, 10> contour_data{};    // cycle 20: Q1 to Q9
+  bool has_contour_data = false;            // cycle 20 was defined
+  double pilot_radius = 0;                  // radius of the cutter for which cycle 21 has drilled, mm; 0: it has not
   int spindle_code = -1;                    // Q110
   bool inch_outermost = false;              // Q113
   Vec2 direction;                           // of the last motion at its end, in the plane of that motion, programmed coordinates
@@ -99,6 +102,7 @@ struct Memory : Modes {
   std::string datum_table;                                     // SEL TABLE
   std::string selected;                                        // SEL PGM
   std::string cycle_program;                                   // cycle 12
+  std::vector<std::string> contours;                           // cycle 14: the labels, a name with its opening quotation mark
   std::map<std::uint16_t, double> global_values;               // GLOBAL DEF, for PREDEF
   std::vector<Axes> pattern;                                   // PATTERN DEF: X, Y, Z of each point
 };

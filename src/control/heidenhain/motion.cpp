@@ -25,7 +25,7 @@ Status BlockRun::target(Axes& to, AxisMask& named) {
     for (std::size_t a = 0; a < m_.def.axes.size(); ++a) {
       if (word.name != word_name(m_.def.axes[a])) continue;
       if (a >= m_.axis_count || (own_.missing_axes & letter_bit(m_.def.axes[a][0])) != 0)
-        return fail(alarm(AlarmId::not_available, word.where, m_.def.axes[a][0]));
+        return fail(alarm(AlarmId::axis_not_named, word.where, m_.def.axes[a][0]));
       const auto read = own_.value(m_, read_, word);
       if (!read) return fail(read.error());
       const bool rotary = (m_.def.rotary >> a & 1U) != 0;

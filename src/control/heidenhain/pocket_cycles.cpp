@@ -249,8 +249,9 @@ Status AreaMaker::old_finishing_pocket(int cycle) {
 
 /// 3, 4, 5: slot and pockets, called at the centre above the surface (spec/heidenhain 12.8).
 Status AreaMaker::old_pocket(int cycle) {
-  radius_ = own_.tool_radius(m_);
-  if (!(radius_ > 0)) return fail(alarm(AlarmId::pocket_tool_missing, where_, double(m_.modal.tool)));
+  const auto cutter = own_.cutter_radius(m_, where_);
+  if (!cutter) return fail(cutter.error());
+  radius_ = *cutter;
   const Modes& memory = own_.memory;
   const double height = m_.position.programmed[plane_.normal];
   clearance_ = second_ = height;

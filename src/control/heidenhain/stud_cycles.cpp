@@ -104,8 +104,9 @@ Status AreaMaker::multipass() {
 
 /// 232: levels of lines over the face, to and fro (Q389 = 0, 1) or all in one direction (2).
 Status AreaMaker::face() {
-  radius_ = own_.tool_radius(m_);
-  if (!(radius_ > 0)) return fail(alarm(AlarmId::pocket_tool_missing, where_, double(m_.modal.tool)));
+  const auto cutter = own_.cutter_radius(m_, where_);
+  if (!cutter) return fail(cutter.error());
+  radius_ = *cutter;
   const double start_height = length_of(227) + raised_, end = length_of(386) + raised_,
                floor = given(369) ? std::max(0.0, length_of(369)) : 0;
   const double along = length_of(218), across = length_of(219), infeed = std::fabs(length_of(202));

@@ -11,6 +11,13 @@ double Heidenhain::tool_radius(const BlockContext& m) const {
   return own + memory.delta_radius;
 }
 
+Result<double> Heidenhain::cutter_radius(BlockContext& m, Span where) const {
+  const double radius = tool_radius(m);
+  m.use.note(UseKind::radius, m.modal.tool, m.origin, radius == 0);
+  if (!(radius > 0)) return fail(alarm(AlarmId::cycle_tool_radius, where, double(m.modal.tool)));
+  return radius;
+}
+
 double Heidenhain::tool_length(const BlockContext& m) const {
   const double own = m.modal.tool < m.tables.offsets.size() ? m.tables.offsets[m.modal.tool].whole_length() : 0;
   return own + memory.delta_length;

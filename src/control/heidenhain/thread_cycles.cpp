@@ -64,8 +64,9 @@ Status AreaMaker::drill_first(MillPath& path) {
 }
 
 Status AreaMaker::thread(int cycle) {
-  radius_ = own_.tool_radius(m_);
-  if (!(radius_ > 0)) return fail(alarm(AlarmId::pocket_tool_missing, where_, double(m_.modal.tool)));
+  const auto cutter = own_.cutter_radius(m_, where_);
+  if (!cutter) return fail(cutter.error());
+  radius_ = *cutter;
   take_levels();
   const double pitch = length_of(239);
   if (pitch == 0) return fail(alarm(AlarmId::value_out_of_range, where_, "Q239", pitch));

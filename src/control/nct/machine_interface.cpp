@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "control/emitter.h"
 #include "control/nct/axes/coupling.h"
 #include "control/nct/axes/drives.h"
 #include "control/nct/nct.h"

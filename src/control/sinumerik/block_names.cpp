@@ -11,26 +11,26 @@ namespace {
 
 /// Names that change nothing in the path of the tool: they are accepted (spec/sinumerik 4.1, 16).
 constexpr std::string_view accepted[] = {
-    "STOPRE",    "STARTFIFO", "STOPFIFO", "FIFOCTRL",  "CFC",         "CFTCP",     "NORM",     "BNAT",   "ENAT",    "BRISK",   "SOFT",
-    "DRIVE",     "CUT2D",     "CDOF",     "CDON",      "CDOF2",       "FFWOF",     "FFWON",    "ORIWKS", "ORIAXES", "COMPOF",  "COMPON",
-    "COMPCURV",  "COMPCAD",   "COMPSURF", "OSOF",      "SPOF",        "PDELAYON",  "PDELAYOF", "FNORM",  "FLIN",    "FCUB",    "CPRECOF",
-    "CPRECON",   "CUTCONOF",  "LFOF",     "TCOABS",    "SPATH",       "UPATH",     "LFTXT",    "CP",     "PAROTOF", "TOROTOF", "RTLION",
-    "FENDNORM",  "DYNNORM",   "DYNPOS",   "DYNROUGH",  "DYNSEMIFIN",  "DYNFINISH", "DYNPREC",  "SBLOF",  "SBLON",   "DISPLOF", "DISPLON",
-    "ACTBLOCNO", "NEWCONF",   "WAITP",    "WAITS",     "ORIC",        "ORID",      "RMI",      "RMB",    "RME",     "RMN",     "ORISOF",
-    "WALCS0",    "CUTCONOF",  "SETPIECE", "WORKPIECE", "GROUP_BEGIN", "GROUP_END", "MMC",      "CANCEL", "CLRINT",  "ENABLE",  "DISABLE"};
+    "STOPRE",    "STARTFIFO",   "STOPFIFO",  "FIFOCTRL", "BNAT",   "ENAT",    "BRISK",   "SOFT",    "DRIVE",     "CUT2D",    "CDOF",
+    "CDON",      "CDOF2",       "FFWOF",     "FFWON",    "ORIWKS", "ORIAXES", "COMPOF",  "COMPON",  "COMPCURV",  "COMPCAD",  "COMPSURF",
+    "OSOF",      "SPOF",        "PDELAYON",  "PDELAYOF", "FNORM",  "FLIN",    "FCUB",    "CPRECOF", "CPRECON",   "CUTCONOF", "LFOF",
+    "TCOABS",    "SPATH",       "UPATH",     "LFTXT",    "CP",     "PAROTOF", "TOROTOF", "RTLION",  "FENDNORM",  "DYNNORM",  "DYNPOS",
+    "DYNROUGH",  "DYNSEMIFIN",  "DYNFINISH", "DYNPREC",  "SBLOF",  "SBLON",   "DISPLOF", "DISPLON", "ACTBLOCNO", "NEWCONF",  "WAITP",
+    "WAITS",     "ORIC",        "ORID",      "RMI",      "RMB",    "RME",     "RMN",     "ORISOF",  "WALCS0",    "CUTCONOF", "SETPIECE",
+    "WORKPIECE", "GROUP_BEGIN", "GROUP_END", "MMC",      "CANCEL", "CLRINT",  "ENABLE",  "DISABLE"};
 
 /// Names of the control that Kadr does not execute.
 constexpr std::string_view refused[] = {
-    "ASPLINE", "BSPLINE", "CSPLINE", "POLY",    "INVCW",    "INVCCW",   "REPOSL",   "REPOSQ",  "REPOSH",  "REPOSA",   "REPOSLA", "REPOSQA",
-    "REPOSHA", "ROTS",    "AROTS",   "CROTS",   "CFIN",     "KONT",     "KONTT",    "KONTC",   "BTAN",    "BAUTO",    "ETAN",    "EAUTO",
-    "CUT2DF",  "CUT3DC",  "CUT3DF",  "CUT3DFS", "CUT3DFF",  "ORIMKS",   "FTOCON",   "OSC",     "OSS",     "OSSE",     "OSD",     "OST",
-    "SON",     "PON",     "LFON",    "PTP",     "PTPG0",    "ORIEULER", "ORIRPY",   "ORIRPY2", "ORIVECT", "ORIVIRT1", "PAROT",   "TOWSTD",
-    "TOFRAME", "TOROT",   "ORIROTA", "RTLIOF",  "WHEN",     "WHENEVER", "FROM",     "EVERY",   "DO",      "ID",       "IDS",     "INIT",
-    "START",   "WAITM",   "WAITE",   "SETM",    "ISOCALL",  "TRANSMIT", "TRACYL",   "TRAANG",  "TRAILON", "TRAILOF",  "LEADON",  "LEADOF",
-    "EGON",    "EGDEF",   "COUPON",  "COUPDEF", "PRESETON", "ADDFRAME", "MEAS",     "MEAW",    "WRITE",   "READ",     "DELETE",  "ISFILE",
-    "RETB",    "GETT",    "POSP",    "FZ",      "FD",       "FDA",      "DISC",     "LEAD",    "TILT",    "MEAFRAME", "DISRP",   "DITS",
-    "DITE",    "SUPD",    "CALCDAT", "REP",     "SET",      "TLIFT",    "PUNCHACC", "CPON",    "CPDEF",   "AXTOCHAN", "GET",     "GETD",
-    "RELEASE", "OVRRAP",  "OVRA",    "FL",      "FGREF"};
+    "ASPLINE", "BSPLINE", "CSPLINE",  "POLY",     "INVCW",    "INVCCW",  "REPOSL",  "REPOSQ",   "REPOSH", "REPOSA", "REPOSLA", "REPOSQA",
+    "REPOSHA", "ROTS",    "AROTS",    "CROTS",    "KONTT",    "KONTC",   "BTAN",    "BAUTO",    "ETAN",   "EAUTO",  "CUT2DF",  "CUT3DC",
+    "CUT3DF",  "CUT3DFS", "CUT3DFF",  "ORIMKS",   "FTOCON",   "OSC",     "OSS",     "OSSE",     "OSD",    "OST",    "SON",     "PON",
+    "LFON",    "PTP",     "PTPG0",    "ORIEULER", "ORIRPY",   "ORIRPY2", "ORIVECT", "ORIVIRT1", "PAROT",  "TOWSTD", "TOFRAME", "TOROT",
+    "ORIROTA", "RTLIOF",  "WHEN",     "WHENEVER", "FROM",     "EVERY",   "DO",      "ID",       "IDS",    "INIT",   "START",   "WAITM",
+    "WAITE",   "SETM",    "ISOCALL",  "TRANSMIT", "TRACYL",   "TRAANG",  "TRAILON", "TRAILOF",  "LEADON", "LEADOF", "EGON",    "EGDEF",
+    "COUPON",  "COUPDEF", "PRESETON", "ADDFRAME", "MEAS",     "MEAW",    "WRITE",   "READ",     "DELETE", "ISFILE", "RETB",    "GETT",
+    "POSP",    "FZ",      "FD",       "FDA",      "DISC",     "LEAD",    "TILT",    "MEAFRAME", "DISRP",  "DITS",   "DITE",    "SUPD",
+    "CALCDAT", "REP",     "SET",      "TLIFT",    "PUNCHACC", "CPON",    "CPDEF",   "AXTOCHAN", "GET",    "GETD",   "RELEASE", "OVRRAP",
+    "OVRA",    "FL",      "FGREF"};
 
 }  // namespace
 
@@ -120,6 +120,14 @@ Result<bool> BlockRun::name(const NamedItem& item, std::size_t& i) {
   if (name == "TRAORI" || name == "TRAFOOF") return all_right(own_.transform_orientation(m_, name == "TRAORI", item.where));
   if (name == "WALIMON" || name == "WALIMOF") {
     own_.memory.area_watched = name == "WALIMON";
+    return true;
+  }
+  if (name == "NORM" || name == "KONT") {
+    own_.memory.goes_around = name == "KONT";
+    return true;
+  }
+  if (name == "CFC" || name == "CFTCP" || name == "CFIN") {
+    own_.memory.arc_feed = name == "CFC" ? ArcFeed::contour : name == "CFTCP" ? ArcFeed::centre : ArcFeed::inside;
     return true;
   }
   if (name == "CIP" || name == "CT") {

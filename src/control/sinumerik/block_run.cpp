@@ -120,7 +120,7 @@ Status BlockRun::word(const NamedItem& item) {
     return fail(alarm(AlarmId::not_available, item.where, std::string_view(whole + "=")));
   }
   constexpr std::string_view further = "ABCUVW";  // axes that only some machines have
-  if (further.find(letter) != std::string_view::npos && !axis_of(letter)) return fail(alarm(AlarmId::not_available, item.where, letter));
+  if (further.find(letter) != std::string_view::npos && !axis_of(letter)) return fail(alarm(AlarmId::axis_not_named, item.where, letter));
   if (!m_.def.grammar.word(letter).known || m_.def.address(letter).function == Function::count) return unknown(item);
   if (letter == 'F' && !(*value > 0) && !in_dwell_) return fail(alarm(AlarmId::value_out_of_range, item.where, 'F', *value));
   return add(letter, *value, item);

@@ -40,7 +40,7 @@ Result<bool> Sinumerik::takes_block(Interpreter& m) {
     if ((m.block->letters & missing_axes) != 0)
       for (std::uint32_t i = 0; i < m.block->word_count; ++i)
         if (const Word& w = m.block->words[i]; (missing_axes & letter_bit(w.address)) != 0)
-          return fail(alarm(AlarmId::not_available, w.where, w.address));
+          return fail(alarm(AlarmId::axis_not_named, w.where, w.address));
     if (const Word* const f = m.block->find('F'); f != nullptr && !(f->value > 0))
       return fail(alarm(AlarmId::value_out_of_range, f->where, 'F', f->value));
     KADR_TRY(m.take_words());

@@ -30,6 +30,7 @@ Status Sinumerik::run_cycle(Interpreter& m, const std::string& name, const std::
   const bool passed_over = name.size() == 8 && name.starts_with("CYCLE75");
   if (passed_over) return {};  // settings of the machine: the programmed path stays as it is (spec/sinumerik 14.6)
   if (name == "CYCLE800") return swivel(m, arguments, where);
+  if (name == "CYCLE72") return mill_contour(m, arguments, where);
   if (is_milling_cycle(name)) return start_milling(m, name, arguments, where);
   return start_cycle(m, name, arguments, where);
 }

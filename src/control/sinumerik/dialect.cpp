@@ -130,6 +130,13 @@ double Sinumerik::tool_radius(const BlockContext& m) const {
   return m.modal.offset_number < m.tables.offsets.size() ? m.tables.offsets[m.modal.offset_number].whole_radius() : 0.0;
 }
 
+Result<double> Sinumerik::cutter_radius(BlockContext& m, Span where) const {
+  const double radius = tool_radius(m);
+  if (m.modal.offset_number != 0) m.use.note(UseKind::radius, m.modal.offset_number, m.origin, radius == 0);
+  if (!(radius > 0)) return fail(alarm(AlarmId::cycle_tool_radius, where, double(m.modal.tool)));
+  return radius;
+}
+
 void Sinumerik::set_normal_offset(BlockContext& m) const {
   m.modal.radius_by_word = memory.normal_offset == 0 ? -1 : std::max(0.0, tool_radius(m) + memory.normal_offset);
 }
@@ -254,6 +261,8 @@ bool Sinumerik::end_program(Interpreter& m) {
   memory.swivelled_to.reset();
   memory.holds_tip = false;
   memory.normal_offset = 0;
+  memory.goes_around = false;
+  memory.arc_feed = ArcFeed::contour;
   memory.area_watched = true;
   memory.in_space = false;
   const auto switches = m.transform.mirror;

@@ -228,16 +228,20 @@ Status Sinumerik::call_part(Interpreter& m, const NamedBlock& block) {
   const bool whole = items.size() == 3 && items[2].name == "TO" && !items[1].text.empty() && !items[2].text.empty();
   if (!whole) return fail(alarm(AlarmId::expression_syntax, call.where, "CALL BLOCK"));
   if (call.value) return fail(alarm(AlarmId::not_available, call.where, "CALL BLOCK"));
+  return call_section(m, items[1].text, items[2].text, call.where);
+}
+
+Status Sinumerik::call_section(Interpreter& m, const std::string& from, const std::string& to, Span where) {
   const ProgramIndex& all = index(m);
-  const LabelRow* const begin = all.section_label(items[1].text, m.block->position);
-  const LabelRow* const last = all.section_label(items[2].text, m.block->position);
+  const LabelRow* const begin = all.section_label(from, m.block->position);
+  const LabelRow* const last = all.section_label(to, m.block->position);
   if (begin == nullptr || last == nullptr || last->at.offset < begin->at.offset)
-    return fail(alarm(AlarmId::section_missing, call.where, std::string_view(begin == nullptr ? items[1].text : items[2].text)));
+    return fail(alarm(AlarmId::section_missing, where, std::string_view(begin == nullptr ? from : to)));
   CallFrame frame;
   frame.kind = CallFrame::Kind::subprogram;
   frame.left = 1;
   frame.caller = m.origin;
-  KADR_TRY(m.flow.call_at(m.program().reader(), begin->at, frame, call.where));
+  KADR_TRY(m.flow.call_at(m.program().reader(), begin->at, frame, where));
   memory.repeated.push_back({begin->at, last->after, m.program().depth()});
   return {};
 }

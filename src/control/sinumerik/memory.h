@@ -65,6 +65,10 @@ struct Pattern {
 /// The motion of group 1 that is no G code of the table.
 enum class NamedMotion : std::uint8_t { none, through_point, tangent, thread };
 
+/// Where the feed holds on an arc under G41, G42: at the contour, on the path of the tool's centre, or at the contour on the inside only
+/// (spec/sinumerik 13.2).
+enum class ArcFeed : std::uint8_t { contour, centre, inside };
+
 /// The modes that are values of a fixed size: a block that fails gets all of them back.
 struct Modes {
   std::optional<Position> counts_on;       // ENDFOR has jumped to the FOR at this position, which counts on
@@ -86,6 +90,8 @@ struct Modes {
   std::array<double, 10> speeds{};          // S2=, S3= …, rev/min, by the number of the spindle
   std::array<SpindleDir, 10> directions{};  // M2=, M3= …
   double normal_offset = 0;                 // OFFN, mm
+  bool goes_around = false;                 // KONT; false: NORM
+  ArcFeed arc_feed = ArcFeed::contour;      // CFC, CFTCP, CFIN
   Axes area_least{}, area_most{};           // G25, G26: the working area, basic coordinates, mm
   AxisMask area_below = 0, area_above = 0;  // axes with such a limit
   bool area_watched = true;                 // WALIMON

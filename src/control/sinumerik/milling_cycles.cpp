@@ -6,66 +6,10 @@
 
 #include "base/tolerance.h"
 #include "control/cycles/pocket_rings.h"
-#include "control/sinumerik/sinumerik.h"
+#include "control/sinumerik/mill_steps.h"
 
 namespace kadr::sinumerik {
 namespace {
-
-struct MillStep {
-  enum class Kind : std::uint8_t { rapid, feed, arc_cw, arc_ccw };
-  Kind kind = Kind::rapid;
-  Vec2 to;
-  double height = 0;
-  double feed = 0;   // mm/min; 0: the feed in force
-  Vec2 centre;       // arcs
-  double turns = 0;  // arcs
-};
-
-class MillSteps final : public SteppedCycleValue<MillSteps> {
- public:
-  explicit MillSteps(std::vector<MillStep> steps) : steps_(std::move(steps)) {}
-
-  Result<bool> next(Emitter& m) override {
-    constexpr std::size_t at_a_time = 8;
-    for (std::size_t i = 0; i < at_a_time && at_ < steps_.size(); ++i) KADR_TRY(execute(m, steps_[at_++]));
-    return at_ < steps_.size();
-  }
-
- private:
-  static Status execute(Emitter& m, const MillStep& step) {
-    const PlaneAxes plane = m.modal.axes;
-    Axes to = m.position.programmed;
-    AxisMask named = 0;
-    const auto set = [&](std::size_t axis, double value) {
-      if (std::fabs(to[axis] - value) > tol::same_point) named |= AxisMask{1} << axis;
-      to[axis] = value;
-    };
-    set(plane.first, step.to.x);
-    set(plane.second, step.to.y);
-    set(plane.normal, step.height);
-    const bool is_arc_step = step.kind == MillStep::Kind::arc_cw || step.kind == MillStep::Kind::arc_ccw;
-    if (named == 0 && !is_arc_step) return {};
-    if (step.kind == MillStep::Kind::rapid) return m.straight(MotionKind::rapid, to, named);
-    const double feed = m.modal.feed;
-    const FeedMode mode = m.modal.feed_mode;
-    if (step.feed > 0) m.modal.feed = step.feed, m.modal.feed_mode = FeedMode::per_minute;
-    Status moved;
-    if (is_arc_step) {
-      const Turn turn = step.kind == MillStep::Kind::arc_cw ? Turn::cw : Turn::ccw;
-      sinumerik_of(m).emit_arc(m, turn, PlaneArc{step.centre, step.turns}, to, named);
-    } else {
-      moved = m.straight(MotionKind::feed, to, named);
-    }
-    m.modal.feed = feed;
-    m.modal.feed_mode = mode;
-    return moved;
-  }
-
-  std::vector<MillStep> steps_;
-  std::size_t at_ = 0;
-};
-
-constexpr std::size_t most_steps = 200'000;
 
 /// Works out the steps of one call.
 class MillMaker {
@@ -78,8 +22,9 @@ class MillMaker {
     const PlaneAxes plane = m_.modal.axes;
     if (m_.transform.leaves(plane) || m_.transform.distorts(plane))
       return fail(alarm(AlarmId::not_together, where_, "SCALE", std::string_view(name)));
-    radius_ = sinumerik_of(m_).tool_radius(m_);
-    if (!(radius_ > 0)) return fail(alarm(AlarmId::pocket_tool_missing, where_, double(m_.modal.tool)));
+    const auto radius = sinumerik_of(m_).cutter_radius(m_, where_);
+    if (!radius) return fail(radius.error());
+    radius_ = *radius;
     retract_ = number(0), reference_ = number(1);
     level_ = reference_ + std::fabs(number(2));
     const bool relative = (name == "SLOT1" || name == "LONGHOLE") && given(4) && number(4) != 0;
@@ -99,15 +44,6 @@ class MillMaker {
   void straight(MillStep::Kind kind, Vec2 to, double height, double feed = 0) { steps.push_back({kind, to, height, feed, {}, 0}); }
   void arc(bool cw, Vec2 to, Vec2 centre, double turns) {
     steps.push_back({cw ? MillStep::Kind::arc_cw : MillStep::Kind::arc_ccw, to, height_, feed_, centre, turns});
-  }
-
-  /// The depths of equal steps, none greater than MID (spec 14.5).
-  Status depths(double mid, double bottom, std::vector<double>& all) const {
-    const double whole = reference_ - bottom;
-    const double count = mid > 0 ? std::max(1.0, std::ceil(whole / mid - 1e-9)) : 1;
-    if (count > 10'000) return fail(alarm(AlarmId::cycle_endless, where_));
-    for (double i = 1; i <= count; ++i) all.push_back(reference_ - whole * i / count);
-    return {};
   }
 
   /// POCKET3, POCKET4: rings from the middle outwards, at each depth.
@@ -138,7 +74,7 @@ class MillMaker {
     const bool climb_is_ccw = m_.modal.spindle != SpindleDir::ccw;
     cw_ = direction == 2 || (direction == 1 && climb_is_ccw) || (direction == 0 && !climb_is_ccw);
     std::vector<double> all;
-    KADR_TRY(depths(finishes ? 0 : number(mid), bottom, all));
+    KADR_TRY(add_depths(all, reference_, bottom, finishes ? 0 : number(mid), where_));
     straight(MillStep::Kind::rapid, centre_, retract_);
     straight(MillStep::Kind::rapid, centre_, level_);
     const std::size_t helix = rectangle ? 21 : 17;  // RAD1, DP1
@@ -170,7 +106,7 @@ class MillMaker {
     cw_ = direction == 2 || (direction == 1 && climb_is_ccw) || (direction == 0 && !climb_is_ccw);
     const double first = number(base + 3), turn = number(base + 4) != 0 ? number(base + 4) : 360 / count;
     std::vector<double> all;
-    KADR_TRY(depths(mid, bottom, all));
+    KADR_TRY(add_depths(all, reference_, bottom, mid, where_));
     for (double i = 0; i < count; ++i) {
       turn_ = sincos_deg(first + i * turn);
       const double middle = number(base + 2) + along / 2;
@@ -240,7 +176,7 @@ class MillMaker {
     if (!(lanes < 10'000)) return fail(alarm(AlarmId::cycle_endless, where_));
     const double over = (radius_ + std::fabs(number(11))) * (along < 0 ? -1 : 1);
     std::vector<double> all;
-    KADR_TRY(depths(kind % 10 == 2 ? 0 : number(9), kind % 10 == 2 ? number(3) : bottom, all));
+    KADR_TRY(add_depths(all, reference_, kind % 10 == 2 ? number(3) : bottom, kind % 10 == 2 ? 0 : number(9), where_));
     const auto place = [&](double u, double v) { return along_first ? placed(u, v) : placed(v, u); };
     for (const double height : all)
       for (double lane = 0; lane < lanes; ++lane) {

@@ -150,6 +150,12 @@ void Sinumerik::emit_arc(Emitter& m, Turn turn, const PlaneArc& arc, const Axes&
   motion.center = {middle[axes.first], middle[axes.second]};
   motion.turns = arc.turns;
   note_arc_end(m, motion);
+  if (motion.side != 0 && memory.arc_feed != ArcFeed::centre) {
+    const double radius = length(in_plane(work, axes) - motion.center);
+    const double inside = (cw ? -1 : 1) * motion.side;  // above 0: the tool is on the side of the centre
+    const double path = radius - inside * motion.tool_radius;
+    if (radius > tol::same_point && path > 0 && (memory.arc_feed == ArcFeed::contour || inside > 0)) motion.feed *= path / radius;
+  }
   const Vec2 arm = in_plane(end, axes) - arc.center;
   memory.direction = turn == Turn::ccw ? Vec2{-arm.y, arm.x} : Vec2{arm.y, -arm.x};
   memory.direction_plane = axes;
@@ -222,7 +228,10 @@ Status Sinumerik::arc(Emitter& m, const Call& call, Turn turn) { return ArcMotio
 /// Adds the rounding or chamfer of the block to its motion, and notes the direction for CT.
 void Sinumerik::note_motion(Emitter& m, Motion& motion) {
   words.moved = true;
-  if (m.modal.contour != CompensationPhase::off) note_compensation(m, motion, m.moved_from);
+  if (m.modal.contour != CompensationPhase::off) {
+    note_compensation(m, motion, m.moved_from);
+    if (memory.goes_around) motion.entry = CompensationApproach::around;
+  }
   const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::rapid || is_arc(motion.kind);
   const double unit = m.unit_scale();
   double rounding = memory.rounding, chamfer = 0;

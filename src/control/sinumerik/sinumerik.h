@@ -91,6 +91,7 @@ class Sinumerik final : public Dialect {
   Status restore(BlockContext& m, const DialectState& from) override;
   void take_setup(Emitter& m, const Setup& setup) override;
   bool end_program(Interpreter& m) override;
+  bool reads_outlines() const override { return true; }
   void reword(const BlockContext& m, AlarmReport& report) const override;
   Result<bool> end_of_file(BlockContext& m) override;
 
@@ -141,6 +142,9 @@ class Sinumerik final : public Dialect {
   Status approach_step(Emitter& m, const ApproachStep& step);
   /// Returns the radius of the tool in force with its wear, without OFFN, mm.
   double tool_radius(const BlockContext& m) const;
+  /// Returns the radius that a milling cycle needs, mm, and notes for `kadr setup` that it is needed.
+  ///   alarms  cycle_tool_radius
+  Result<double> cutter_radius(BlockContext& m, Span where) const;
   /// Puts OFFN in force: the radius of the tool and OFFN are the offset of G41, G42.
   void set_normal_offset(BlockContext& m) const;
   Status within_area(const BlockContext& m, const Axes& to, AxisMask named) const;
@@ -175,6 +179,9 @@ class Sinumerik final : public Dialect {
   Status jump_in_caller(Interpreter& m, const std::string& label, Span where);
   /// CALL BLOCK A TO B: a part of the present program, as a subprogram (spec/sinumerik 9.1).
   Status call_part(Interpreter& m, const NamedBlock& block);
+  /// Calls the part between two labels of the present program.
+  ///   alarms  section_missing, call_too_deep
+  Status call_section(Interpreter& m, const std::string& from, const std::string& to, Span where);
   /// EXECSTRING("…"): executes a text as a block (spec/sinumerik 9.4).
   Result<bool> execute_text(Interpreter& m, const std::string& text, Span where);
   Status call_item(Interpreter& m, const NamedBlock& block, const NamedItem& item, std::uint32_t times, bool modal);
@@ -191,6 +198,9 @@ class Sinumerik final : public Dialect {
   // milling_cycles.cpp
   static bool is_milling_cycle(std::string_view name);
   Status start_milling(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
+  // contour_cycle.cpp
+  /// CYCLE72: mills along a contour that a subprogram, or a part of the program between two labels, describes (spec/sinumerik 14.5).
+  Status mill_contour(Interpreter& m, const std::vector<Value>& arguments, Span where);
   // cycles.cpp: works out the steps; cycle_calls.cpp
   Status start_cycle(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where);
   /// TRAORI and TRAFOOF: control of the tool tip on a machine with two rotary axes (spec/sinumerik 15).

@@ -30,6 +30,8 @@ constexpr int frames_group = 8, first_further_frame = 505, further_frames_from =
 /// Returns the place of the code in force in its group, counted as in the manual's list (spec/sinumerik 4.1).
 double place_in_group(const BlockContext& m, double group) {
   const auto number = static_cast<int>(group);
+  if (number == 16) return 1.0 + static_cast<double>(sinumerik_of(m).memory.arc_feed);
+  if (number == 17) return sinumerik_of(m).memory.goes_around ? 2 : 1;  // NORM, KONT
   const std::string name = std::to_string(number);
   for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
     if (m.def.groups[g].name != name) continue;

@@ -196,6 +196,24 @@ std::optional<Vec2> entry_direction(Vec2 travel, double radius, double side) {
   return along * ahead + across * left_of(ahead);
 }
 
+std::optional<JunctionVectors> around_end(const ContourElement& first, const ContourElement& second, double radius, double side,
+                                          CornerJoin join, bool approaches) {
+  if (tangential(first.end, second.start) || corner_of(first.end, second.start, side) == Corner::inside) return std::nullopt;
+  if (join != CornerJoin::arc) return joined(first, second, radius, side, join);
+  JunctionVectors v;
+  v.round = true;
+  if (approaches) {
+    const auto touching = entry_direction(first.to - first.from, radius, side);
+    v.add(radius * side_normal(touching.value_or(first.end), side));
+    v.add(radius * side_normal(second.start, side));
+  } else {  // the departure backwards is an approach on the other side
+    const auto touching = entry_direction(second.from - second.to, radius, -side);
+    v.add(radius * side_normal(first.end, side));
+    v.add(radius * side_normal(touching.value_or(-1.0 * second.start), -side));
+  }
+  return v;
+}
+
 bool fits(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side) {
   if (!element.is_arc) return dot(element.to + end_vector - element.from - start_vector, element.start) >= -tol::same_point;
   const bool concave = side * element.sense() > 0;

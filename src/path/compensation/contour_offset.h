@@ -116,6 +116,14 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
 ///   returns  a unit vector; nullopt if the distance of the end point is at most the tool radius
 std::optional<Vec2> entry_direction(Vec2 travel, double radius, double side);
 
+/// Returns the vectors at the first or last point of a contour that the tool approaches from behind it, or leaves to a point behind it
+/// (Sinumerik KONT, spec/sinumerik 13.2). With CornerJoin::arc the line touches the circle around the contour's point (INFERRED).
+///   first, second  the elements before and after the point; the approach or the departure is a line
+///   approaches     true: `first` is the approach; false: `second` is the departure
+///   returns        nullopt if the line comes from the front, or leads there; the tool then moves to the normal of the contour
+std::optional<JunctionVectors> around_end(const ContourElement& first, const ContourElement& second, double radius, double side,
+                                          CornerJoin join, bool approaches);
+
 /// Returns true if the tool fits into the element. The path of the tool between the two vectors must go forward, and a concave arc must
 /// have at least the tool radius.
 bool fits(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side);

@@ -123,7 +123,8 @@ void RadiusCompensation::motion(Action& action) {
   if ((m.side == 0 && !ends) || !in_contour(m)) return outside_contour(action);
   now_.first = m.first;
   now_.second = m.second;
-  now_.keeps_vector = m.entry == CompensationApproach::normal || m.entry == CompensationApproach::tangent;
+  now_.keeps_vector =
+      m.entry == CompensationApproach::normal || m.entry == CompensationApproach::tangent || m.entry == CompensationApproach::around;
   const Vec2 delta = in_plane(m.to) - in_plane(now_.at.work);
   if (length(delta) > tol::same_point || is_arc(m.kind)) return contour(action);
   const bool named = (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) != 0;
@@ -309,8 +310,10 @@ std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next
   const double radius = m.tool_radius, side = m.side;
   if (radius == 0) return single({});
   const bool begins = m.side_step == SideStep::begins, ends = next.side_step == SideStep::ends;
+  if ((begins || ends) && (begins ? m.entry : next.entry) == CompensationApproach::around)
+    if (auto way = around_end(first, second, radius, side, m.join_corner, begins)) return way;
   if (now_.keeps_vector && ends) return single(radius * side_normal(first.end, side));
-  if (now_.keeps_vector && begins && m.entry == CompensationApproach::normal) return single(radius * side_normal(second.start, side));
+  if (now_.keeps_vector && begins && m.entry != CompensationApproach::tangent) return single(radius * side_normal(second.start, side));
   if (now_.keeps_vector && next.side == m.side) return joined(first, second, radius, side, join_of(m, next));
   if (const auto& direction = direction_of(m); begins && direction) {
     const ContourElement in = ContourElement::line(first.to - *direction, first.to);

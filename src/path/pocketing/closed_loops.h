@@ -26,4 +26,8 @@ tl::expected<Chains, DrawingFault> chained(const Edges& edges);
 ///   alarms  contour_open_end, if a chain does not close; contour_crosses
 tl::expected<std::vector<Zone>, DrawingFault> zones_of(const Chains& chains);
 
+/// Returns the areas that lie within at least one of the closed loops `pockets` and within none of the closed loops `islands`, which may
+/// cross each other. The loops may have either direction.
+std::vector<Zone> zones_between(const std::vector<Edges>& pockets, const std::vector<Edges>& islands);
+
 }  // namespace kadr::area
