@@ -72,7 +72,8 @@ void RadiusCompensation::emit_waiting(Held& first) {
 void RadiusCompensation::go_around_corner(const Held& first) {
   const bool follows = now_.count > 1;
   if (first.end.round) {
-    const bool next_cuts = follows && held(1).motion.kind != MotionKind::rapid && held(1).motion.side != 0;  // no side: it ends compensation
+    const bool next_cuts =
+        follows && held(1).motion.kind != MotionKind::rapid && held(1).motion.side != 0;  // no side: it ends compensation
     const Motion& like = next_cuts ? held(1).motion : now_.round_first;
     return round(first.end.last(), follows ? held(1).origin : first.origin, like);
   }
