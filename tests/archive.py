@@ -346,9 +346,18 @@ class Cluster:
             self.add()
 
     def begin(self, module, *words):
-        more = {'cwd': self.kadr.folder, 'env': self.kadr.environment(), 'stdin': subprocess.DEVNULL, 'stdout': subprocess.PIPE, 'stderr': subprocess.DEVNULL}
-        self.kadr.started.append(subprocess.Popen([PYTHON, '-m', f'distributed.cli.{module}', *map(str, words)], **more))
+        """Starts a process, whose messages are in NUMBER.log."""
+        with open(self.log(len(self.kadr.started)), 'wb') as log:
+            more = {'cwd': self.kadr.folder, 'env': self.kadr.environment(), 'stdin': subprocess.DEVNULL, 'stdout': subprocess.DEVNULL, 'stderr': log}
+            self.kadr.started.append(subprocess.Popen([PYTHON, '-m', f'distributed.cli.{module}', *map(str, words)], **more))
         return self.kadr.started[-1]
+
+    def log(self, number):
+        return self.kadr.folder / f'{number}.log'
+
+    def all_serve(self):
+        """Returns whether every worker has found the scheduler."""
+        return all(b'Registered to' in self.log(self.kadr.started.index(worker)).read_bytes() for worker in self.workers)
 
     def add(self):
         self.workers.append(self.begin('dask_worker', '--scheduler-file', self.file, '--nthreads', '1', '--no-nanny', '--no-dashboard', '--local-directory',
@@ -402,6 +411,7 @@ def workers_die(kadr, cluster):
         cluster.workers.pop(0).kill()
         kills += 1
         cluster.add()
+        expect(until(cluster.all_serve), 'a new worker does not start')   # else more are killed than start on a busy machine
     expect(process.wait(400) == 1, f'exit status {process.returncode} {process.stderr.read()[-800:]}')
     kadr.archive('check', 'b', '--db', 'b.sqlite', '--again', expected=1)   # as above
     expect(kadr.everything('b.sqlite') == kadr.everything('whole.sqlite'), f'after {kills} killed workers the results differ')

@@ -63,7 +63,7 @@
   X(surface_state) X(surface_start) X(smoothing_length) X(cycle_data_missing) \
   X(probe_state) X(probe_torque) X(probe_torque_axis) X(probe_torque_unknown) X(probe_servo_error) \
   X(probe_window) X(contour_block_missing) X(contour_order) X(contour_shape)                 \
-  X(outline_missing) X(contour_tool_large) X(contour_not_closed) X(cycle_tool_radius) X(axis_not_named) \
+  X(outline_missing) X(contour_tool_large) X(contour_not_closed) X(cycle_tool_radius) X(axis_not_named) X(axes_assumed) \
   X(rough_uncompensated)                                                                   \
   /* alarms of turning cycles and of lathes (spec/fanuc-t 12) */                             \
   X(figure_words) X(figure_depth) X(figure_block_missing) X(figure_not_monotone)             \

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/setup/setup_names.h"
 #include "kinematics/machine_tree.h"
 #include "motion/time/estimate.h"
 
@@ -84,14 +85,54 @@ void give_kinematics(Setup& setup, const FiveAxis& five) {
   vector(3222, five.head);
 }
 
+/// Returns the letter of the axis if it turns about X, Y or Z as A, B or C do; 0 for any other axis.
+char letter_of(const RotaryJoint& joint, const std::vector<std::string>& axes) {
+  const std::string& name = axes[static_cast<std::size_t>(joint.axis)];
+  const Vec3 about = name == "A" ? Vec3{1, 0, 0} : name == "B" ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const bool usual = (name == "A" || name == "B" || name == "C") && std::fabs(dot(about, joint.direction)) == 1;
+  return usual ? name[0] : '\0';
+}
+
+/// Gives the kinematics as the set-up has them for controls without parameters for them (KinematicsSetup).
+void give_kinematics_in_words(KinematicsSetup& kinematics, const FiveAxis& five, const std::vector<std::string>& axes) {
+  const char first = letter_of(five.first, axes), second = letter_of(five.second, axes);
+  if (first == 0 || second == 0 || five.tool.z != 1) return;
+  kinematics.type = five.has_head() && five.has_table() ? "head-table" : five.has_head() ? "head-head" : "table-table";
+  kinematics.axes = {first, second};
+  for (const RotaryJoint* const joint : {&five.first, &five.second}) {
+    const bool backwards = joint->direction.x + joint->direction.y + joint->direction.z < 0;
+    if ((joint->sense < 0) != backwards) kinematics.reversed += letter_of(*joint, axes);
+  }
+  const auto give = [&](const char* name, Vec3 v) { kinematics.vectors[name] = {v.x, v.y, v.z}; };
+  give("T1", five.table);
+  give("T2", five.second_table);
+  give("E", five.holder);
+  give("D", five.head);
+}
+
+/// Returns the machine's axes that the control has too.
+std::vector<std::string> axes_in(const std::vector<std::string>& axes, const ControlDef& control) {
+  std::vector<std::string> known;
+  for (const std::string& name : axes)
+    if (std::find(control.axes.begin(), control.axes.end(), name) != control.axes.end()) known.push_back(name);
+  return known;
+}
+
 }  // namespace
 
 void give_machine(Setup& setup, const MachineProfile& profile, const ControlDef& control) {
   const bool gives_kinematics =
       profile.chains.given() && control.machine_axes() && has_kinematics_parameters(control) && !has_kinematics(setup);
   const bool lathe = control.behaviour.lathe != Lathe::none;
+  const bool in_words = profile.chains.given() && !control.machine_axes() && has(control, SetupNeeds::kinematics);
   const bool gives_axes = gives_kinematics || (lathe && profile.chains.given());
   if (gives_axes && setup.axes.empty() && setup.channels.empty()) setup.axes = axes_of(profile, lathe);
+  if (in_words && setup.axes.empty()) {
+    setup.axes = axes_in(axes_of(profile, false), control);
+    const auto five = MachineTree(profile, setup.axes).five_axis();
+    if (five && five->first.axis >= 0 && five->second.axis >= 0 && setup.kinematics.type.empty())
+      give_kinematics_in_words(setup.kinematics, *five, setup.axes);
+  }
   const std::vector<std::string>& axes = setup.axes.empty() ? control.axes : setup.axes;
   for (const auto& [code, text] : profile.m_codes) setup.machine_codes[code] = {text.en, text.ru};
   for (const std::string& axis : axes) setup.axis_limits[axis] = limits_of(profile, setup, axis);

@@ -11,6 +11,7 @@
 #include "control/start_fault.h"
 #include "motion/look_ahead/control_speed.h"
 #include "motion/time/estimate.h"
+#include "session/assumed_axes.h"
 #include "session/block_search.h"
 #include "session/give_machine.h"
 #include "session/plc_commands.h"
@@ -36,6 +37,7 @@ tl::expected<std::unique_ptr<Session>, ChannelsFault> Session::open(SessionSpec 
   // std::make_unique cannot be used, since the constructor is private
   auto session = std::unique_ptr<Session>(new Session(std::move(spec)));
   give_machine(session->spec_.setup, session->spec_.machine, *session->spec_.control);
+  assume_axes(session->spec_.setup, session->spec_.program.source.get(), *session->spec_.control);
   if (!session->spec_.setup.search.empty() && !session->spec_.setup.channels.empty())
     return tl::unexpected(ChannelsFault{start_fault_of("search", texts::session::search_in_channels), 0});
   auto channels = open_channels(*session->spec_.control, session->spec_.setup, std::move(session->spec_.program), session->spec_.limits);

@@ -162,7 +162,8 @@ struct ProbeHole {
 };
 
 struct Setup {
-  std::vector<std::string> axes;  // names of the axes; empty: the axes that the control's file names
+  std::vector<std::string> axes;          // names of the axes; empty: the axes that the control's file names
+  std::vector<std::string> axes_assumed;  // those of them that only the program names (session/assumed_axes); not a key of the file
   AxisValues start;
   bool start_in_work = false;
   std::vector<std::string> modal;  // code words, such as "G90", in force at the start of the run

@@ -102,7 +102,9 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::clock: return has_variable(def, VariableKind::date);
     case SetupNeeds::diameters: return def.machine_axes() || def.diameter_by_setup;
     case SetupNeeds::turning: return has(def, SetupNeeds::diameters) || def.has_parameter_file();
-    case SetupNeeds::probe: return has_function(def, {Function::probe, Function::probe_move, Function::measure, Function::measure_length});
+    case SetupNeeds::probe:
+      return def.grammar.named_blocks ||
+             has_function(def, {Function::probe, Function::probe_move, Function::measure, Function::measure_length});
     case SetupNeeds::skip_question: return def.behaviour.skip_asks;
     case SetupNeeds::machine_axes: return def.machine_axes();
     case SetupNeeds::kinematics: return def.machine_axes() || def.grammar.klartext_blocks || def.grammar.named_blocks;

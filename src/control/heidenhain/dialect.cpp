@@ -74,6 +74,7 @@ Status Heidenhain::restore(BlockContext&, const DialectState& from) {
   indices_.clear();
   read_.clear();
   loop_lines_.forget_all();
+  assumed_axes.clear();  // noted when the run began
   return {};
 }
 
@@ -86,6 +87,7 @@ void Heidenhain::take_setup(Emitter& m, const Setup& setup) {
     if (std::find(setup.axes.begin(), setup.axes.end(), name) != setup.axes.end()) count = a + 1;
     else missing_axes |= letter_bit(name[0]);
   }
+  for (const std::string& name : setup.axes_assumed) assumed_axes += (assumed_axes.empty() ? "" : " ") + name;
   m.axis_names = m.def.axes;
   m.axis_names.resize(count);
   m.axis_count = count;
@@ -113,6 +115,8 @@ bool Heidenhain::needs_text(const BlockContext& m) const {
 }
 
 Result<bool> Heidenhain::takes_block(Interpreter& m) {
+  if (!assumed_axes.empty()) [[unlikely]]
+    m.warn(note(AlarmId::axes_assumed, m.block->where, std::string_view(std::exchange(assumed_axes, {}))));
   kept_ = false;
   previous_ = m.position.work;
   corner_rounding = corner_chamfer = corner_feed = 0;

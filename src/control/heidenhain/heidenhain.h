@@ -68,9 +68,10 @@ class Heidenhain final : public Dialect {
 
   // ---- used by the parts in this folder
   Memory memory;
-  FiveAxis five_axis;                              // the rotary axes of the machine, if the set-up or the machine names them
-  Axes most{};                                     // upper ends of travel of the set-up, machine coordinates
-  std::uint64_t missing_axes = 0;                  // letters of axes that the machine does not have
+  FiveAxis five_axis;              // the rotary axes of the machine, if the set-up or the machine names them
+  Axes most{};                     // upper ends of travel of the set-up, machine coordinates
+  std::string assumed_axes;        // axes that only the program names, for the note at the first block; empty: noted, or none
+  std::uint64_t missing_axes = 0;  // letters of axes that the machine does not have
   double corner_rounding = 0, corner_chamfer = 0;  // RND, CHF behind the block, mm
   double corner_feed = 0;                          // F of RND, CHF, mm/min; 0: that of the element
   CornerJoin corner = CornerJoin::arc;             // M97 in the block

@@ -21,16 +21,16 @@ constexpr std::string_view accepted[] = {
 
 /// Names of the control that Kadr does not execute.
 constexpr std::string_view refused[] = {
-    "ASPLINE", "BSPLINE", "CSPLINE",  "POLY",     "INVCW",    "INVCCW",  "REPOSL",  "REPOSQ",   "REPOSH", "REPOSA", "REPOSLA", "REPOSQA",
-    "REPOSHA", "ROTS",    "AROTS",    "CROTS",    "KONTT",    "KONTC",   "BTAN",    "BAUTO",    "ETAN",   "EAUTO",  "CUT2DF",  "CUT3DC",
-    "CUT3DF",  "CUT3DFS", "CUT3DFF",  "ORIMKS",   "FTOCON",   "OSC",     "OSS",     "OSSE",     "OSD",    "OST",    "SON",     "PON",
-    "LFON",    "PTP",     "PTPG0",    "ORIEULER", "ORIRPY",   "ORIRPY2", "ORIVECT", "ORIVIRT1", "PAROT",  "TOWSTD", "TOFRAME", "TOROT",
-    "ORIROTA", "RTLIOF",  "WHEN",     "WHENEVER", "FROM",     "EVERY",   "DO",      "ID",       "IDS",    "INIT",   "START",   "WAITM",
-    "WAITE",   "SETM",    "ISOCALL",  "TRANSMIT", "TRACYL",   "TRAANG",  "TRAILON", "TRAILOF",  "LEADON", "LEADOF", "EGON",    "EGDEF",
-    "COUPON",  "COUPDEF", "PRESETON", "ADDFRAME", "MEAS",     "MEAW",    "WRITE",   "READ",     "DELETE", "ISFILE", "RETB",    "GETT",
-    "POSP",    "FZ",      "FD",       "FDA",      "DISC",     "LEAD",    "TILT",    "MEAFRAME", "DISRP",  "DITS",   "DITE",    "SUPD",
-    "CALCDAT", "REP",     "SET",      "TLIFT",    "PUNCHACC", "CPON",    "CPDEF",   "AXTOCHAN", "GET",    "GETD",   "RELEASE", "OVRRAP",
-    "OVRA",    "FL",      "FGREF"};
+    "ASPLINE",  "BSPLINE", "CSPLINE",  "POLY",     "INVCW",   "INVCCW", "REPOSL",   "REPOSQ",   "REPOSH",   "REPOSA",   "REPOSLA",
+    "REPOSQA",  "REPOSHA", "ROTS",     "AROTS",    "CROTS",   "KONTT",  "KONTC",    "BTAN",     "BAUTO",    "ETAN",     "EAUTO",
+    "CUT2DF",   "CUT3DC",  "CUT3DF",   "CUT3DFS",  "CUT3DFF", "ORIMKS", "FTOCON",   "OSC",      "OSS",      "OSSE",     "OSD",
+    "OST",      "SON",     "PON",      "LFON",     "PTP",     "PTPG0",  "ORIEULER", "ORIRPY",   "ORIRPY2",  "ORIVECT",  "ORIVIRT1",
+    "PAROT",    "TOWSTD",  "TOFRAME",  "TOROT",    "ORIROTA", "RTLIOF", "WHEN",     "WHENEVER", "FROM",     "EVERY",    "DO",
+    "ID",       "IDS",     "INIT",     "START",    "WAITM",   "WAITE",  "SETM",     "ISOCALL",  "TRANSMIT", "TRACYL",   "TRAANG",
+    "TRAILON",  "TRAILOF", "LEADON",   "LEADOF",   "EGON",    "EGDEF",  "COUPON",   "COUPDEF",  "PRESETON", "ADDFRAME", "MEAW",
+    "WRITE",    "READ",    "DELETE",   "ISFILE",   "RETB",    "GETT",   "POSP",     "FZ",       "FD",       "FDA",      "DISC",
+    "LEAD",     "TILT",    "MEAFRAME", "DISRP",    "DITS",    "DITE",   "SUPD",     "CALCDAT",  "REP",      "SET",      "TLIFT",
+    "PUNCHACC", "CPON",    "CPDEF",    "AXTOCHAN", "GET",     "GETD",   "RELEASE",  "OVRRAP",   "OVRA",     "FL",       "FGREF"};
 
 }  // namespace
 

@@ -255,6 +255,7 @@ Status BlockRun::long_word(const NamedItem& item) {
   if (name == "AX") return axis_by_variable(item);
   if (name == "OVR" || name == "FB" || name == "LIMS" || name == "FRC" || name == "FRCM") return feed_word(item);
   if (name == "OFFN") return normal_offset(item);
+  if (name == "MEAS") return measure(item);
   if (name == "SPOS" || name == "SPOSA") {
     const auto value = number_of(item);
     if (!value) return fail(value.error());

@@ -77,6 +77,8 @@ class BlockRun {
   /// OVR=, FB=, LIMS= (spec/sinumerik 5, 12.1).
   Status feed_word(const NamedItem& item);
   double unit_of_feed() const;
+  /// MEAS=1, MEAS=-2: the motion of the block ends where the probe touches (spec/sinumerik 17).
+  Status measure(const NamedItem& item);
   /// FGROUP(X,Y,Z): the feed of the geometry axes, as without it.
   Status feed_group(const NamedItem& item);
   /// POS[X]=5, FA[X]=200: a positioning axis (spec/sinumerik 3.1).

@@ -31,6 +31,8 @@ bool Sinumerik::needs_names(const BlockContext& m) const {
 }
 
 Result<bool> Sinumerik::takes_block(Interpreter& m) {
+  if (!assumed_axes.empty()) [[unlikely]]
+    m.warn(note(AlarmId::axes_assumed, m.block->where, std::string_view(std::exchange(assumed_axes, {}))));
   words = {};
   kept_ = circle_by_name_ = false;
   previous_ = m.position.work;

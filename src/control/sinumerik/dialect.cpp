@@ -66,6 +66,7 @@ Status Sinumerik::restore(BlockContext&, const DialectState& from) {
   indices_.clear();
   calculation_.forget_all();
   word_lines_.forget_all();
+  assumed_axes.clear();  // noted when the run began
   return {};
 }
 
@@ -80,6 +81,7 @@ void Sinumerik::take_axes(Emitter& m, const Setup& setup) {
     if (named) count = a + 1;
     else missing_axes |= letter_bit(name[0]);
   }
+  for (const std::string& name : setup.axes_assumed) assumed_axes += (assumed_axes.empty() ? "" : " ") + name;
   m.axis_names = m.def.axes;
   m.axis_names.resize(count);
   m.axis_count = count;
@@ -191,6 +193,7 @@ Status Sinumerik::after_block(Interpreter& m) {
     KADR_TRY(activate_edge(m, edge, words.edge_where));
   }
   kept_ = false;
+  if (words.probe != 0) return fail(alarm(AlarmId::not_available, words.where("MEAS"), "MEAS"));  // an arc, G0, or no motion
   if (words.chuck) {
     const Modal now = std::exchange(m.modal, *std::exchange(words.chuck, std::nullopt));
     m.modal.spindle = now.spindle, m.modal.rpm = now.rpm, m.modal.tool = now.tool, m.modal.tool_selected = now.tool_selected;

@@ -105,6 +105,14 @@ struct Modes {
   bool has_direction = false;
 };
 
+/// MEAS: where the probe has touched, or the motion has ended without a touch (spec/sinumerik 17).
+struct Measured {
+  static constexpr int probes = 2;
+  std::array<bool, probes> touched{};  // $AC_MEA[n]
+  int probe = 0;                       // number of the probe of the last MEAS
+  Axes work{}, machine{};              // $AA_MW, $AA_MM
+};
+
 struct Memory : Modes {
   std::array<double, parameter_count> parameters{};
   std::vector<Level> levels{1};
@@ -117,6 +125,7 @@ struct Memory : Modes {
   std::map<std::pair<std::uint32_t, std::uint32_t>, ToolOffset> edges;  // of $TC_DP: {tool, edge}; edge 1 is in Tables::offsets too
   std::map<std::pair<std::string, int>, double> stored;                 // $AC_MARKER[n], $AC_PARAM[n]
   std::map<std::string, std::uint32_t> tools;                           // names of T="…"
+  Measured measured;
 };
 
 /// Returns a copy whose variables are not shared with the original; references stay references among the copied levels.

@@ -250,6 +250,13 @@ void Sinumerik::note_motion(Emitter& m, Motion& motion) {
     detail->contour = corner;
     motion.detail = std::move(detail);
   }
+  if (words.probe != 0 && motion.kind == MotionKind::feed) {
+    motion.kind = MotionKind::probe;
+    m.needs_probe = true;
+    m.probe_where = words.where("MEAS");
+    memory.measured.probe = std::exchange(words.probe, 0);
+    memory.measured.touched[static_cast<std::size_t>(memory.measured.probe - 1)] = false;
+  }
   const bool plain = m.transform.identity && m.modal.radius_side == 0;
   motion.as_programmed = memory.in_space && plain && motion.kind != MotionKind::probe;
   if (!m.transform.identity || (memory.in_space && !plain)) {

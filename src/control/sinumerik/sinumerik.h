@@ -66,6 +66,7 @@ struct BlockWords {
   std::vector<ApproachStep> retraction;       // after the block's own motion
   std::optional<SpaceArc> space_arc;          // after the block's other words
   bool moved = false;                         // the block has moved an axis
+  int probe = 0;                              // MEAS: number of the probe that ends the motion of the block; 0: none
   bool has(const std::string& name) const { return numbers.contains(name); }
   double number(const std::string& name) const { return numbers.at(name); }
   Span where(const std::string& name) const { return places.at(name); }
@@ -117,12 +118,14 @@ class Sinumerik final : public Dialect {
   ArcRule arc_rule(const BlockContext& m) const override;
   SurfaceSpeed surface_speed(const BlockContext& m) const override;
   void refresh_frames(Emitter& m) override;
+  Status accept_answer(Emitter& m, const ProbeAnswer& answer) override;
   void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) override;
 
   // ---- used by the parts in this folder
   Memory memory;
   BlockWords words;
   FiveAxis rotary;                 // the rotary axes of the machine; group none: CYCLE800 turns the frame alone
+  std::string assumed_axes;        // axes that only the program names, for the note at the first block; empty: noted, or none
   std::uint64_t missing_axes = 0;  // letters of axes that the machine does not have
 
   Result<Value> evaluate(BlockContext& m, const NamedBlock& block, NamedExpression expression);

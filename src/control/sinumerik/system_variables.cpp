@@ -134,6 +134,8 @@ Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, c
   if (const auto of = axis(0); of && indices.size() == 1) {
     if (name == "$AA_IW" || name == "$P_EP") return real(m.position.programmed[*of] * ((m.modal.diameter >> *of & 1U) != 0 ? 2 : 1));
     if (name == "$AA_IM") return real(m.position.machine[*of]);
+    if (name == "$AA_MW") return real(memory.measured.work[*of] * ((m.modal.diameter >> *of & 1U) != 0 ? 2 : 1));
+    if (name == "$AA_MM") return real(memory.measured.machine[*of]);
     if (name == "$AA_IB") return real(m.position.machine[*of] - m.frames.length[*of]);
     return unknown();
   }
@@ -147,6 +149,11 @@ Result<Value> Sinumerik::read_system(BlockContext& m, const std::string& name, c
     const auto found = memory.stored.find({name, static_cast<int>(n)});
     const double value = found == memory.stored.end() ? 0.0 : found->second;
     return name == "$AC_MARKER" ? integer(value) : real(value);
+  }
+  if (name == "$AC_MEA") {
+    const double n = index(0);
+    if (!(n >= 1 && n <= double{Measured::probes})) return fail(alarm(AlarmId::index_range, where, std::string_view(name), n));
+    return integer(memory.measured.touched[static_cast<std::size_t>(n) - 1] ? 1 : 0);
   }
   if (name == "$P_PROG") {
     const double n = indices.empty() ? static_cast<double>(memory.levels.size() - 1) : index(0);
