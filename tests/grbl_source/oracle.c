@@ -52,6 +52,8 @@ static void end_by_alarm(int code) {
 }
 void report_alarm_message(uint8_t code) { end_by_alarm(code); }
 
+#ifndef KADR_GRBL_TIMES /* times.c has the planner and the stepper of Grbl in place of these */
+
 /* ---- real time: what is asked for happens at once */
 
 void __wrap_protocol_execute_realtime(void) {
@@ -91,9 +93,12 @@ void st_reset(void) {}
 void st_go_idle(void) {}
 void st_wake_up(void) {}
 void st_generate_step_dir_invert_masks(void) {}
+#endif
+
 void probe_configure_invert_mask(uint8_t away) { (void)away; }
 uint8_t probe_get_state(void) { return 0; }
 
+#ifndef KADR_GRBL_TIMES
 void __real_mc_arc(float *, plan_line_data_t *, float *, float *, float, uint8_t, uint8_t, uint8_t, uint8_t);
 void __wrap_mc_arc(float *target, plan_line_data_t *pl_data, float *position, float *offset, float radius, uint8_t first, uint8_t second,
                    uint8_t normal, uint8_t clockwise) {
@@ -127,6 +132,7 @@ void __wrap_mc_arc(float *target, plan_line_data_t *pl_data, float *position, fl
   }
   printf("]}\n");
 }
+#endif
 
 uint8_t __real_mc_probe_cycle(float *, plan_line_data_t *, uint8_t);
 uint8_t __wrap_mc_probe_cycle(float *target, plan_line_data_t *pl_data, uint8_t flags) {
@@ -143,7 +149,9 @@ void __wrap_mc_homing_cycle(uint8_t mask) {
   gc_sync_position();
 }
 
+#ifndef KADR_GRBL_TIMES
 void __wrap_mc_dwell(float seconds) { printf("{\"line\": %d, \"do\": \"dwell\", \"seconds\": %.9g}\n", line, seconds); }
+#endif
 
 /* ---- spindle, coolant */
 
