@@ -19,6 +19,7 @@
 #include "cli/options/command_parts.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
+#include "drive/grbl/grbl_fault.h"
 #include "drive/grbl/grbl_proof.h"
 #include "out/text/summary.h"
 #include "texts/drive.h"
@@ -115,7 +116,7 @@ class DriveCommand {
     while (!interrupted()) {
       for (const LinkEvent& event : driver_->step(DriveTimes::step)) {
         if (event.kind == LinkEventKind::fault) {
-          complain(fault_text(event, 0));
+          complain(drive::fault_text(event, 0));
           return false;
         }
         connected = connected || event.kind == LinkEventKind::connected;

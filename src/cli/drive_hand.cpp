@@ -11,6 +11,7 @@
 #include "cli/job/keyboard.h"
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
+#include "drive/grbl/grbl_fault.h"
 #include "texts/drive_command.h"
 
 namespace kadr::cli {
@@ -108,7 +109,7 @@ class ByHand {
   }
   bool take(const LinkEvent& event) {
     switch (event.kind) {
-      case LinkEventKind::fault: complain(fault_text(event, 0)); return false;
+      case LinkEventKind::fault: complain(drive::fault_text(event, 0)); return false;
       case LinkEventKind::answered:
         answered_at_ = driver_.now();
         if (event.number != 0) complain(translated(texts::drive_command::refused_command, event.number, event.text));
@@ -138,7 +139,7 @@ bool wait_for(drive::GrblDriver& driver, LinkEventKind kind) {
     for (const LinkEvent& event : driver.step(DriveTimes::step)) {
       if (event.kind == kind) return true;
       if (event.kind != LinkEventKind::fault) continue;
-      complain(fault_text(event, 0));
+      complain(drive::fault_text(event, 0));
       return false;
     }
   return false;
@@ -208,7 +209,7 @@ bool check_mode(drive::GrblDriver& driver, drive::GrblJob& job) {
     }
     for (const LinkEvent& event : driver.step(DriveTimes::key)) {
       if (event.kind == LinkEventKind::fault) {
-        complain(fault_text(event, 0));
+        complain(drive::fault_text(event, 0));
         good = false;
       }
       done = done || event.kind == LinkEventKind::fault || event.kind == LinkEventKind::finished;

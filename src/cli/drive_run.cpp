@@ -11,8 +11,8 @@
 #include "cli/job/terminal.h"
 #include "cli/options/options.h"
 #include "config/texts.h"
+#include "drive/grbl/grbl_fault.h"
 #include "out/text/summary.h"
-#include "texts/drive.h"
 #include "texts/drive_command.h"
 
 namespace kadr::cli {
@@ -132,7 +132,7 @@ class JobRun {
     status_ = alarms;
     const double seconds = link_.seconds_pending();
     erase_bar();
-    complain(fault_text(event, seconds));
+    complain(drive::fault_text(event, seconds));
     const auto& view = link_.view();
     if (view.sent > view.executed)
       say(translated(texts::drive_command::in_controller, view.sent - view.executed, fmt::format("{:.1f}", seconds)));
@@ -174,27 +174,6 @@ class JobRun {
 
 std::string point_text(const drive::GrblPoint& point) { return fmt::format("X{:.3f} Y{:.3f} Z{:.3f}", point[0], point[1], point[2]); }
 
-std::string fault_text(const LinkEvent& e, double seconds) {
-  const std::string left = fmt::format("{:.1f}", seconds);
-  switch (e.fault) {
-    case LinkFault::no_answer: return translated(texts::drive::fault_no_answer);
-    case LinkFault::busy: return translated(texts::drive::fault_busy, e.text);
-    case LinkFault::line_refused: return translated(texts::drive::fault_line_refused, e.line, e.number, e.text);
-    case LinkFault::setup_refused: return translated(texts::drive::fault_setup_refused, e.number, e.text);
-    case LinkFault::alarm: return translated(texts::drive::fault_alarm, e.number);
-    case LinkFault::reset: return translated(texts::drive::fault_reset);
-    case LinkFault::answer_lost: return translated(texts::drive::fault_answer_lost, e.line, e.text);
-    case LinkFault::broken_answer: return translated(texts::drive::fault_broken_answer, e.text);
-    case LinkFault::extra_answer: return translated(texts::drive::fault_extra_answer);
-    case LinkFault::buffer_wrong: return translated(texts::drive::fault_buffer_wrong);
-    case LinkFault::overdue: return translated(texts::drive::fault_overdue, e.line);
-    case LinkFault::off_path: return translated(texts::drive::fault_off_path, e.line, fmt::format("{:.3f}", e.value));
-    case LinkFault::silent: return translated(texts::drive::fault_silent, left);
-    case LinkFault::port_lost: return translated(texts::drive::fault_port_lost, left);
-  }
-  return {};
-}
-
 JobEnd run_job(drive::GrblDriver& driver, drive::GrblJob& job, std::uint64_t lines, int feed) {
   return JobRun(driver, job, lines, feed).run();
 }
@@ -207,7 +186,7 @@ bool run_command(drive::GrblDriver& driver, const std::string& text, double pati
   while (!interrupted())
     for (const LinkEvent& event : driver.step(DriveTimes::key)) {
       if (event.kind == LinkEventKind::fault) {
-        complain(fault_text(event, 0));
+        complain(drive::fault_text(event, 0));
         return false;
       }
       if (event.kind != LinkEventKind::answered) continue;

@@ -10,9 +10,6 @@ namespace kadr::cli {
 
 /// Returns a position as text: "X1.000 Y2.000 Z0.000".
 std::string point_text(const drive::GrblPoint& point);
-/// Returns the sentence about a fault, in the language of the thread.
-///   seconds  time of motion that the controller may still execute
-std::string fault_text(const drive::LinkEvent& event, double seconds);
 
 /// How long kadr drive waits for bytes while the operator may press a key, and otherwise; and for the end of a stop, s.
 struct DriveTimes {

@@ -18,9 +18,12 @@
 #include "panel/panel_journal.h"
 #include "server/http_server.h"
 #include "server/page_files.h"
+#include "texts/drive_command.h"
+#include "texts/grbl_machine.h"
 #include "texts/serve_command.h"
 #include "texts/values.h"
 #include "view/memory_bound.h"
+#include "view/page/page_drive.h"
 #include "view/served_folder.h"
 
 extern char** environ;
@@ -43,6 +46,17 @@ void open_browser(const std::string& address) {
   posix_spawn_file_actions_destroy(&silent);
 }
 
+/// Returns the ports with real machines that the pages may use, or an error sentence.
+tl::expected<RealPorts, std::string> real_ports(const ServeOptions& options) {
+  if (!drive::is_baud_rate(options.baud)) return tl::unexpected(translated(texts::drive_command::no_baud, options.baud));
+  RealPorts real;
+  real.baud = options.baud, real.log = options.drive_log, real.control = "grbl";
+  for (const std::string& port : options.drives)
+    if (port == "found") real.all_found = true;
+    else real.ports.push_back(port);
+  return real;
+}
+
 }  // namespace
 
 void add_serve(CLI::App& app, Commands& c) {
@@ -58,6 +72,10 @@ void add_serve(CLI::App& app, Commands& c) {
   number(serve->add_option("--max-memory", o.max_memory, translated(texts::serve_command::max_memory)),
          plain_text(texts::values::megabytes), 100, 1e6)
       ->capture_default_str();
+  takes(serve->add_option("--drive", o.drives, translated(texts::grbl_machine::serve_drive))->allow_extra_args(false),
+        plain_text(texts::drive_command::port_value));
+  whole_number(serve->add_option("--baud", o.baud, translated(texts::drive_command::baud)), 300, 921600)->capture_default_str();
+  writes_file(serve->add_option("--drive-log", o.drive_log, translated(texts::drive_command::log))->capture_default_str());
   serve->add_flag("--no-browser", o.no_browser, translated(texts::serve_command::no_browser));
   language_option(*serve, o.lang);
   serve->footer(plain_text(texts::help_examples::serve));
@@ -80,6 +98,11 @@ int serve(const ServeOptions& options) {
     }
     journal = std::move(*opened);
   }
+  const auto real = real_ports(options);
+  if (!real) {
+    complain(real.error());
+    return wrong_usage;
+  }
   PanelHub hub;
   constexpr double bytes_of_mb = 1e6;
   const MemoryBound memory(std::size_t(options.max_memory * bytes_of_mb));
@@ -92,7 +115,8 @@ int serve(const ServeOptions& options) {
                         &hub,
                         journal.get(),
                         &memory,
-                        {report_file("report.html"), report_file("licences.txt")}};
+                        {report_file("report.html"), report_file("licences.txt")},
+                        options.drives.empty() ? nullptr : &*real};
   const auto server = HttpServer::listen(requested_address, page);
   if (!server) {
     complain(server.error());

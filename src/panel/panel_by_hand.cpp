@@ -6,6 +6,7 @@
 
 #include "base/tolerance.h"
 #include "panel/panel_machine.h"
+#include "texts/grbl_machine.h"
 #include "texts/panel.h"
 
 namespace kadr {
@@ -24,7 +25,7 @@ PanelMachine::Answer PanelMachine::enter(const std::string& line) {
     auto memory = stepping_->snapshot();
     if (!memory) return Failed(translated(texts::panel::waits_for_probe));
     if (before_.size() == most_undone) before_.erase(before_.begin());
-    before_.push_back({std::move(*memory), lane_->clock.sample().machine, lane_->placement, entered_});
+    before_.push_back({std::move(*memory), lane_->sample().machine, lane_->placement, entered_});
     panel_state_.message.clear(), panel_state_.why.clear();
     panel_state_.alarm.reset();
     notify("line", line);
@@ -36,12 +37,13 @@ PanelMachine::Answer PanelMachine::enter(const std::string& line) {
 PanelMachine::Answer PanelMachine::undo() {
   return ask([this]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
+    if (is_real()) return Failed(translated(texts::grbl_machine::no_undo));
     if (before_.empty()) return Failed(translated(texts::panel::nothing_entered));
     const Before before = std::move(before_.back());
     before_.pop_back();
     const Setup tables = session_->control().tables_now();
     if (const Status back = stepping_->restore(before.stepping); !back) return Failed(std::string(name_of(back.error().id)));
-    lane_->clock.stand_at(before.machine);
+    lane_->stand_at(before.machine);
     lane_->placement = before.placement;
     entered_ = before.entered;
     note_variables(0);
@@ -79,7 +81,8 @@ PanelMachine::Answer PanelMachine::jog_while_held(const std::string& axis, doubl
     if (!index) return Failed(index.error());
     const double distance = way_while_held(*index, axis, sign, feed);
     if (std::fabs(distance) < tol::same_point) return Failed(translated(texts::panel::beyond_end, axis));
-    if (const Answer moves = move_by_hand(*index, axis, distance, feed); !moves) return moves;
+    if (!jog_really(*index, axis, distance, feed))
+      if (const Answer moves = move_by_hand(*index, axis, distance, feed); !moves) return moves;
     held_until_ = std::chrono::steady_clock::now() + most_silence;
     return {};
   });
@@ -89,7 +92,7 @@ bool PanelMachine::keep_jogging(bool on) {
   return ask(
              [this, on]() -> Answer {
                if (!held_until_ || lets_go_) return Failed(std::string());
-               if (on) held_until_ = std::chrono::steady_clock::now() + most_silence;
+               if (on) held_until_ = std::chrono::steady_clock::now() + most_silence, lane_->keep_jogging();
                else let_go();
                return {};
              },

@@ -165,7 +165,7 @@ PanelMachine::Answer PanelMachine::take_tables() {
   return ask([this]() -> Answer {
     if (const Answer may = may_apply_tables_now(); !may) return may;
     const bool has_run = stepping_->next() && stepping_->next()->number - std::uint32_t(entered_) > 1;
-    if (!has_run) return open(lane_->clock.sample().machine);
+    if (!has_run) return open(lane_->sample().machine);
     StopPoint here;
     here.line = stepping_->next()->line;
     if (stepping_->next()->file != 0) here.file = session_->control().file_name(stepping_->next()->file);
@@ -191,7 +191,7 @@ void PanelMachine::apply_edited_tables() {
     panel_state_.message = taken.error();
   } else {
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      const Axes machine = lanes_[i]->clock.sample().machine;
+      const Axes machine = lanes_[i]->sample().machine;
       if (!session_->channels()[i].control->meeting()) session_->stand_at(i, machine);
       lanes_[i]->on.work = session_->stand(i).work, lanes_[i]->on.machine = machine;
     }

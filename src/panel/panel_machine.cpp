@@ -16,7 +16,8 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr auto look_every = std::chrono::milliseconds(4);  // interval at which the machine's thread checks a motion
+constexpr auto look_every = std::chrono::milliseconds(4);     // interval at which the machine's thread checks a motion
+constexpr auto look_at_rest = std::chrono::milliseconds(50);  // the same for a real machine at rest
 constexpr double seen_share = 1e-6;  // least decrease of the override (0 to 1) that counts as the effect of a feed hold
 constexpr auto seen_within = std::chrono::milliseconds(20);  // time limit until a request's effect is visible; some axes can hardly brake
 // Time limit for the start of a request. If it expires, the machine is busy and the request is dropped.
@@ -118,10 +119,12 @@ bool PanelMachine::look_round() {
   execute_requests();
   if (running_ && !must_stop()) watch_run();
   if (retables_) apply_edited_tables();
+  if (is_real()) watch_machine();
   std::unique_lock hold(lock_);
   if (ends_) return false;
   const auto has_request = [this] { return ends_ || !requests_.empty() || must_stop(); };
   if (running_ || retables_) wakes_.wait_for(hold, look_every, has_request);
+  else if (is_real()) wakes_.wait_for(hold, look_at_rest, has_request);
   else wakes_.wait(hold, has_request);
   return true;
 }
@@ -155,7 +158,7 @@ void PanelMachine::watch_run() {
     if (const Answer opened = start_over(); !opened) panel_state_.message = opened.error();
     return;
   }
-  const bool held = std::any_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->clock.sample().held; });
+  const bool held = std::any_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->sample().held; });
   panel_state_.mode = stand && held ? PanelMode::held : PanelMode::running;
   if (is_over() || (lets_go_ && stand)) end_run();
   show();
@@ -174,9 +177,10 @@ AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
 void PanelMachine::show() {
   PanelState now = panel_state_;
   for (const auto& lane : lanes_) lane->note_block();
-  now.sample = lane_->clock.sample();
+  now.sample = lane_->sample();
   now.block = lane_->on;
   now.limit = lane_->limit();
+  now.real = lane_->real();
   show_channels(now);
   now.entered = running_ && running_->of == Run::Of::line;
   now.goes_there = going_.has_value();
@@ -198,7 +202,7 @@ void PanelMachine::show_channels(PanelState& now) const {
     const ChannelAxes& lane = *lanes_[i];
     PanelChannel& shown = now.channels.emplace_back();
     shown.number = lane.number, shown.axes = lane.axes;
-    shown.sample = lane.clock.sample(), shown.block = lane.on;
+    shown.sample = lane.sample(), shown.block = lane.on;
     if (lane.block().line != 0 && !lane.on.entered) shown.line = session_->channels()[i].control->line_at(lane.block());
     if (const PanelMeeting* const meeting = lane.waits_for()) shown.waits = *meeting;
   }
@@ -207,12 +211,14 @@ void PanelMachine::show_channels(PanelState& now) const {
 PanelState PanelMachine::state() {
   const std::lock_guard hold(lock_);
   PanelState now = shown_;
-  now.sample = lane_->clock.sample();
+  now.sample = lane_->sample();
+  if (now.real) now.real = lane_->real();
   return now;
 }
 
 PanelMachine::Answer PanelMachine::may_begin() const {
   if (retables_) return Failed(translated(texts::panel::taking_tables));
+  if (const std::string why = lane_->not_ready(); !running_ && !why.empty()) return Failed(why);
   switch (panel_state_.mode) {
     case PanelMode::standing:
     case PanelMode::ended: return {};
@@ -239,7 +245,7 @@ PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
     if (const Answer may = may_begin(); !may) return may;
     if (panel_state_.asks) return Failed(translated(texts::panel::waits_for_answer));
     if (panel_state_.mode == PanelMode::ended)
-      if (const Answer opened = open(lane_->clock.sample().machine); !opened) return opened;
+      if (const Answer opened = open(lane_->sample().machine); !opened) return opened;
     panel_state_.message.clear(), panel_state_.why.clear();
     panel_state_.alarm.reset();
     notify("run", {}, stepping_->line().number);
@@ -268,7 +274,7 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
 /// Starts a feed hold. The function returns only when the axes have slowed down, so that the caller's next query of the state shows the
 /// hold.
 PanelMachine::Answer PanelMachine::hold() {
-  const double share = lane_->clock.sample().share;
+  const double share = lane_->sample().share;
   const Answer held = ask([this]() -> Answer {
     holds_ = running_.has_value();
     if (holds_) notify("hold", {}, lane_->on.origin.line);
@@ -276,7 +282,7 @@ PanelMachine::Answer PanelMachine::hold() {
     return {};
   });
   wait_until_seen([&] {
-    const ServoSample at = lane_->clock.sample();
+    const ServoSample at = lane_->sample();
     return !at.plays || at.held || at.share < share - seen_share;
   });
   return held;
@@ -286,7 +292,7 @@ PanelMachine::Answer PanelMachine::reset() {
   stops_ = true;  // The flag stops the session, because the present block of the program might never end.
   return ask([this]() -> Answer {
     panel_state_.message.clear(), panel_state_.why.clear();
-    for (const auto& lane : lanes_) lane->clock.release();
+    for (const auto& lane : lanes_) lane->release();
     notify("reset");
     if (!running_) return start_over();
     resets_ = true;
@@ -296,7 +302,7 @@ PanelMachine::Answer PanelMachine::reset() {
 }
 
 void PanelMachine::stop_at_once() {
-  for (const auto& lane : lanes_) lane->clock.stop_at_once();
+  for (const auto& lane : lanes_) lane->stop_at_once();
   stops_ = true;
   // While this function owns the lock, the machine's thread is waiting, or the thread checks for a stop before it waits.
   const std::lock_guard hold(lock_);
@@ -340,7 +346,7 @@ PanelMachine::Answer PanelMachine::set_overrides(const PanelOverrides& shares) {
     return Failed(translated(texts::panel::spindle_limits));
   if (!(shares.dry_feed >= 0 && shares.dry_feed <= 1e5)) return Failed(translated(texts::panel::dry_run_limits));
   return ask([this, shares]() -> Answer {
-    panel_state_.shares = shares;
+    panel_state_.shares = lane_->possible(shares);
     notify("override", fmt::format("F {:.0f} % G0 {:.0f} % S {:.0f} %{}", 100 * shares.feed, 100 * shares.rapid, 100 * shares.spindle,
                                    shares.dry_feed > 0 ? fmt::format(" dry {:.0f}", shares.dry_feed) : std::string()));
     apply_overrides();

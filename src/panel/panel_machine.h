@@ -22,138 +22,10 @@
 #include <vector>
 
 #include "base/thread.h"
-#include "panel/channel_axes.h"
-#include "panel/panel_search.h"
-#include "panel/panel_sheet.h"
+#include "panel/panel_state.h"
 #include "panel/session_opener.h"
-#include "session/stepping.h"
 
 namespace kadr {
-
-enum class PanelMode : std::uint8_t {
-  standing,  // the axes are at rest before a block, or after a line of the operator
-  running,
-  held,       // feed hold: the axes are slowing down or at rest
-  ended,      // the program has ended
-  alarm,      // an alarm has stopped the program; reset() ends this mode
-  emergency,  // emergency stop; only reset() ends this mode
-};
-
-/// The state of one channel on a machine with several channels.
-struct PanelChannel {
-  int number = 1;
-  std::vector<std::string> axes;
-  ServoSample sample;
-  PanelBlock block;                   // the block that the channel's axes are executing, or executed last
-  AlarmReport::Line line;             // text and location of the block in the program
-  std::optional<PanelMeeting> waits;  // The waiting code at which this channel waits. It is set when the axes of the channel have stopped.
-};
-
-/// The state of the machine that the panel displays to the operator.
-struct PanelState {
-  PanelMode mode = PanelMode::standing;
-  ServoSample sample;
-  PanelOverrides shares;   // the overrides that the operator has set
-  PanelBlock block;        // the block that the machine is executing, or executed last
-  AlarmReport::Line line;  // Text and location of this block while the program runs; otherwise of the next block.
-  bool entered = false;    // true while a line of the operator is being executed
-  bool single = false, optional_stop = false;
-  std::set<int> skip;
-  std::map<std::size_t, StopPoint> stops;
-  std::size_t hit = 0;        // number of the stop point that holds the program; 0: no stop point holds it
-  std::string message;        // the message that the program displays
-  std::string why;            // reason for the stop: "M0", "M1", "restart"; empty: another reason
-  AlarmReport::Line stop;     // the line with M0 or M1, if this is the reason for the stop
-  bool asks = false;          // True if the program waits for the operator's answer() to the question in `message`.
-  bool takes_tables = false;  // true while edited tables are being applied
-  std::string save_fault;     // An error sentence that states why the machine's data cannot be saved; empty: the data are saved.
-  // True while a restart in mid-program is in progress: the axes move to the block at which the program continues.
-  bool goes_there = false;
-  std::optional<AlarmReport> alarm;
-  std::size_t can_undo = 0;         // number of entered lines that undo() can revert
-  std::optional<PanelLimit> limit;  // the limit that determines the speed at present
-  std::uint64_t blocks = 0;         // Number of blocks that the control has executed. The control is ahead of the machine.
-  // All channels, if the machine has several channels. The members above describe the program's own channel.
-  std::vector<PanelChannel> channels;
-};
-
-/// The location of a machine in its program.
-struct PanelLocation {
-  PanelMode mode = PanelMode::standing;
-  Axes machine{};
-  std::uint32_t number = 0;  // PanelBlock::number of the current block or the next block; 0: no block of the program
-  std::uint32_t line = 0;
-  std::string file{};          // the file that contains `line`; empty: the main program
-  std::string text{};          // text of the line
-  std::vector<Axes> stands{};  // The machine position of each channel, by index; empty if the machine has only one channel.
-};
-
-/// Functions of the client with which a PanelMachine saves its data for a later start of the server. The machine's thread calls them.
-struct PanelRecorder {
-  /// A function of the client that saves the program line and the axis positions, for a restart after power-off. PanelMachine calls it at
-  /// each block.
-  ///   returns  an error sentence if the location cannot be saved
-  std::function<std::string(const PanelLocation&)> spot;
-  /// A function of the client that adds an entry to the log of the operator's actions. The kinds of entries are "run" "hold" "reset"
-  /// "emergency" "override" "line" "restart" "stopped" "ended".
-  std::function<void(const char* kind, const std::string& text, std::uint32_t line)> event;
-  std::function<void(const AlarmReport&)> alarm;
-  /// A function of the client that saves table changes which a line of the operator has made, so that later sessions start with the changed
-  /// tables. PanelMachine calls it after such a line.
-  ///   returns  an error sentence if the changes cannot be saved
-  std::function<std::string(const Setup& before, const Setup& after)> tables;
-  /// A function of the client that reads the program file from the disk. PanelMachine calls it before the program starts from its
-  /// beginning. Later changes of the file have no effect until the next call.
-  std::function<void()> begins;
-};
-
-/// A variable of the program and its value.
-struct PanelVariable {
-  std::string name;
-  double value = 0;
-  std::uint32_t line = 0;  // program line that set the variable last; 0: the set-up, or a line of the operator
-};
-
-/// The present tables of the control.
-struct PanelTables {
-  std::optional<RunState> state;  // the tables; nullopt: the tables of this control cannot be displayed
-  std::vector<PanelVariable> variables;
-};
-
-/// An expression that the operator watches, with its present value.
-struct PanelWatch {
-  std::string text;
-  std::optional<double> value;  // the value; nullopt: the expression is invalid, or its value is vacant
-};
-
-/// A run of motion: the motion from one position at which the axes are at rest to the next such position.
-struct PanelRun {
-  enum class Of : std::uint8_t { program, line, hand };
-  Of of = Of::program;
-  std::size_t channel = 0;           // index of the channel in which an entered line is executed; only for Of::line
-  std::unique_ptr<Planned> by_hand;  // planner of a motion that the operator commands by hand; only for Of::hand
-  bool planned_all = false;
-  Session::State came_to = Session::State::running;
-};
-
-/// A path along which one channel moves to its restart position.
-struct PanelPath {
-  std::size_t channel = 0;  // index of the channel
-  std::vector<WayPoint> points;
-};
-
-/// The state of a restart while the machine moves to the block at which the program continues.
-struct PanelApproach {
-  struct Line {
-    std::size_t channel;
-    std::string text;
-  };
-  std::shared_ptr<const RestartPoint> place;
-  std::deque<Line> before;      // lines of the program's language that the control executes before the axes move to the restart position
-  std::deque<PanelPath> paths;  // paths along which the channels move to the restart position, one path after another
-  std::deque<Line> after;       // lines that the control executes after the axes have moved along these paths
-  bool is_there = false;
-};
 
 class PanelMachine {
  public:
@@ -164,10 +36,11 @@ class PanelMachine {
   ///   opens    the function that opens sessions of the program
   ///   start    start position of the axes in machine coordinates; nullopt: the start position is in the set-up
   ///   stands   the start positions of several channels, by index; empty: the start positions are in the set-up
+  ///   axes     makes the axes of a real machine; empty: they are virtual
   ///   returns  the machine, or an error sentence
   static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(SessionOpener opens, PanelRecorder keeper = {},
-                                                                       const std::optional<Axes>& start = {},
-                                                                       std::vector<Axes> stands = {});
+                                                                       const std::optional<Axes>& start = {}, std::vector<Axes> stands = {},
+                                                                       AxesMaker axes = {});
   ~PanelMachine();
   PanelMachine(const PanelMachine&) = delete;
   PanelMachine& operator=(const PanelMachine&) = delete;
@@ -198,8 +71,14 @@ class PanelMachine {
   Answer answer(double answer);
   /// Executes a line of the operator (MDI) at once.
   Answer enter(const std::string& line);
-  /// Restores the control and the virtual machine to their state before the last entered line. A real machine cannot do this.
+  /// Restores the control and the virtual machine to their state before the last entered line. A real machine refuses this.
   Answer undo();
+  /// Homes the axes of a real machine, or unlocks its controller after an alarm.
+  Answer home();
+  Answer unlock();
+  /// The page that has the controls is alive. A real machine is held if it runs and has not been kept alive for `lease`.
+  void keep_alive() { alive_at_ = std::chrono::steady_clock::now().time_since_epoch().count(); }
+  static constexpr std::chrono::milliseconds lease{3000};
   /// Moves an axis by hand.
   ///   distance  distance in machine coordinates, mm or degrees
   ///   feed     mm/min or degrees/min; 0: the highest speed of the axis
@@ -277,8 +156,8 @@ class PanelMachine {
   };
   enum class Wait : std::uint8_t { for_start, for_end };
 
-  PanelMachine(SessionOpener opens, PanelRecorder keeper, std::vector<Axes> stands)
-      : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
+  PanelMachine(SessionOpener opens, PanelRecorder keeper, std::vector<Axes> stands, AxesMaker axes)
+      : opens_(std::move(opens)), keeper_(std::move(keeper)), makes_axes_(std::move(axes)), stands_(std::move(stands)) {}
   // in panel_machine.cpp: the machine's thread and the operator's requests
   Answer ask(std::function<Answer()> what, Wait wait = Wait::for_start);
   void live();
@@ -287,7 +166,7 @@ class PanelMachine {
   void give_answer(Request& request, const Answer& answer);
   void watch_run();
   /// True if an emergency stop was requested and the machine's thread has not handled this request yet.
-  bool must_stop() const { return lane_->clock.was_stopped() && panel_state_.mode != PanelMode::emergency; }
+  bool must_stop() const { return lane_->was_stopped() && panel_state_.mode != PanelMode::emergency; }
   void stand_still();
   Answer may_begin() const;
   void apply_overrides();
@@ -295,6 +174,7 @@ class PanelMachine {
   bool is_alone() const { return lanes_.size() == 1; }
   void show();
   // The functions below are in panel_opening.cpp.
+  Answer may_have_axes() const;
   Answer make_lanes();
   Answer begin_session(const std::optional<Axes>& start);
   void obey_switches();
@@ -313,6 +193,7 @@ class PanelMachine {
   AlarmReport::Line line_of(const ServoSample& sample) const;
   // The functions below are in panel_run.cpp.
   void look(ChannelAxes& lane, Control& control, const Step& step);
+  void note_motion(ChannelAxes& lane, Control& control, const Step& step);
   void begin_leg(std::size_t channel);
   void watch_channels();
   void begin(Run::Of of, std::size_t channel);
@@ -333,6 +214,11 @@ class PanelMachine {
   tl::expected<std::size_t, std::string> channel_of(int number) const;
   void let_go();
   Answer move_by_hand(std::size_t channel, const std::string& axis, double distance, double feed);
+  // The functions below are in panel_real.cpp.
+  bool is_real() const { return lane_->is_real(); }
+  void watch_machine();
+  void follow_machine();
+  bool jog_really(std::size_t channel, const std::string& axis, double distance, double feed);
   // The functions below are in panel_restart.cpp.
   Answer may_go_there() const;
   tl::expected<Axes, std::string> end_of(const PanelPath& path) const;
@@ -350,6 +236,7 @@ class PanelMachine {
 
   const SessionOpener opens_;
   const PanelRecorder keeper_;
+  const AxesMaker makes_axes_;
   std::function<void(const Step&)> looks_on_;
   std::unique_ptr<PanelSearch> search_;
   std::vector<std::unique_ptr<ChannelAxes>> lanes_;  // One object per channel; the objects are never replaced.
@@ -392,6 +279,7 @@ class PanelMachine {
   std::deque<Request> requests_;
   std::uint64_t request_count_ = 0;
   std::atomic<bool> ends_{false};
+  std::atomic<std::chrono::steady_clock::rep> alive_at_{0};  // of the steady clock; 0: nobody has to keep the machine alive
   std::mutex off_lock_;
   PanelState shown_;
   Thread thread_;

@@ -2,6 +2,8 @@
 // tests/panel/panel_machine_test.cpp and tests/panel/panel_channels_test.cpp.
 
 #include "panel/panel_machine.h"
+#include "panel/virtual_axes.h"
+#include "texts/grbl_machine.h"
 #include "texts/panel.h"
 
 namespace kadr {
@@ -13,8 +15,9 @@ using Failed = tl::unexpected<std::string>;
 
 /// Creates a machine. After this call the number of channels never changes.
 tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(SessionOpener opens, PanelRecorder keeper,
-                                                                            const std::optional<Axes>& start, std::vector<Axes> stands) {
-  std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper), std::move(stands)));
+                                                                            const std::optional<Axes>& start, std::vector<Axes> stands,
+                                                                            AxesMaker axes) {
+  std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper), std::move(stands), std::move(axes)));
   try {
     if (const Answer opened = machine->open(start); !opened) return Failed(opened.error());
     machine->search_ = std::make_unique<PanelSearch>(machine->opens_);
@@ -26,18 +29,31 @@ tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(Sess
   return machine;
 }
 
+/// A real machine has one channel with the axes X, Y and Z, and may have further ones that the program does not move.
+PanelMachine::Answer PanelMachine::may_have_axes() const {
+  if (!makes_axes_) return {};
+  if (session_->channels().size() != 1) return Failed(translated(texts::grbl_machine::one_channel));
+  const std::vector<std::string>& names = session_->control().axes();
+  if (names.size() < 3 || names[0] != "X" || names[1] != "Y" || names[2] != "Z")
+    return Failed(translated(texts::grbl_machine::axes_wanted));
+  return {};
+}
+
 PanelMachine::Answer PanelMachine::make_lanes() {
   const std::vector<Channel>& channels = session_->channels();
+  if (const Answer may = may_have_axes(); !may) return may;
   for (std::size_t i = lanes_.size(); lane_ == nullptr && i < channels.size(); ++i) {
     const Control& control = *channels[i].control;
-    lanes_.push_back(std::make_unique<ChannelAxes>(channels[i].number, control.axes(), AxisRoles::of(control.axes(), control.rotary()),
-                                                   rate, session_->stand(i).machine));
+    const AxisRoles roles = AxisRoles::of(control.axes(), control.rotary());
+    const Axes stand = session_->stand(i).machine;
+    if (makes_axes_) lanes_.push_back(makes_axes_(channels[i].number, control.axes(), roles, stand));
+    else lanes_.push_back(std::make_unique<VirtualAxes>(channels[i].number, control.axes(), roles, rate, stand));
   }
   if (lanes_.size() != channels.size()) return Failed(translated(texts::panel::other_channels));
   if (lane_ != nullptr) return {};
   own_ = session_->own();
   for (std::size_t i = 0; i < lanes_.size() && stands_.size() == lanes_.size(); ++i)
-    if (i != own_) lanes_[i]->clock.stand_at(stands_[i]);
+    if (i != own_) lanes_[i]->stand_at(stands_[i]);
   lane_ = lanes_[own_].get();  // From here on other threads read the object of the program's own channel through this pointer.
   return {};
 }
@@ -103,7 +119,7 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
   if (const Answer begun = begin_session(start); !begun) return begun;
   stands_.clear();
   for (std::size_t i = 0; start && !is_alone() && i < lanes_.size(); ++i) {
-    stands_.push_back(lanes_[i]->clock.sample().machine);
+    stands_.push_back(lanes_[i]->sample().machine);
     if (i != own_) session_->stand_at(i, stands_.back());
   }
   if (search_) begin_search();
@@ -120,7 +136,8 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
 /// Returns the program to its beginning. If the program file can no longer be read, the program counts as ended. An alarm or an emergency
 /// stop is over in this case too, so that the operator can move the axes by hand.
 PanelMachine::Answer PanelMachine::start_over() {
-  Answer opened = open(lane_->clock.sample().machine);
+  lane_->recover();
+  Answer opened = open(lane_->sample().machine);
   if (!opened) panel_state_.mode = PanelMode::ended, panel_state_.alarm.reset();
   return opened;
 }

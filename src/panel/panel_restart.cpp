@@ -35,7 +35,7 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t
                                                                      const WayRules& rules) const {
   Control& control = *session_->channels()[channel].control;
   ToolPosition stand = session_->stand(channel);
-  stand.machine = lanes_[channel]->clock.sample().machine;
+  stand.machine = lanes_[channel]->sample().machine;
   auto made = sheet_of(restart, in_block, stand, control.in_force(), rules, control, session_->def());
   if (!made) return Failed(no_room());
   return std::move(*made);
@@ -70,7 +70,7 @@ tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const st
 ///   returns  the end position of the path, or an error sentence
 tl::expected<Axes, std::string> PanelMachine::end_of(const PanelPath& path) const {
   const ChannelAxes& lane = *lanes_[path.channel];
-  Axes at = lane.clock.sample().machine;
+  Axes at = lane.sample().machine;
   for (const WayPoint& point : path.points) {
     for (std::size_t a = 0; a < lane.axes.size() && a < max_axes; ++a) {
       if ((point.named >> a & 1U) == 0) continue;
@@ -214,8 +214,8 @@ void PanelMachine::execute(std::deque<PanelApproach::Line>& lines) {
 /// Sets the state as if the program had been executed up to the restart position. The machine calls it when the axes have arrived at this
 /// position.
 PanelMachine::Answer PanelMachine::arrive(const RestartPoint& place) {
-  lane_->clock.stand_at(place.restart.stand.machine);
-  for (const OtherChannelState& channel : place.other_channels) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
+  lane_->stand_at(place.restart.stand.machine);
+  for (const OtherChannelState& channel : place.other_channels) lanes_[channel.channel]->stand_at(channel.restart.stand.machine);
   return resume_from(place);
 }
 
@@ -262,7 +262,7 @@ bool PanelMachine::stand_as_in(const RestartPoint& place) const {
     const Control& control = *session_->channels()[channel.channel].control;
     if (control.blocks() - lane.entered != channel.blocks || control.meeting().has_value() != channel.waits.has_value() || channel.in_block)
       return false;
-    const Axes at = lane.clock.sample().machine;
+    const Axes at = lane.sample().machine;
     for (std::size_t a = 0; channel.waits && a < lane.axes.size() && a < max_axes; ++a)
       if (!(std::fabs(at[a] - channel.restart.stand.machine[a]) <= at_place)) return false;
   }

@@ -1,6 +1,8 @@
 // PanelMachine, the execution of a run of motion: the session's steps become motion in the time of the servo clock. Used by
 // panel/panel_machine.
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +10,7 @@
 #include "action/by_kind.h"
 #include "motion/time/steps.h"
 #include "panel/panel_machine.h"
+#include "texts/grbl_machine.h"
 #include "texts/panel.h"
 
 namespace kadr {
@@ -15,8 +18,7 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr double nearly_there = 1e-6;  // A position counts as reached if the difference is smaller than this value; mm, degrees.
-constexpr double farthest = 1e5;       // the longest single motion by hand, mm or degrees
+constexpr double farthest = 1e5;  // the longest single motion by hand, mm or degrees
 
 }  // namespace
 
@@ -26,6 +28,12 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   if (looks_on_) looks_on_(step);
   const bool is_own = &lane == lane_;
   const auto hold_next = [&] { is_own ? stepping_->hold_next() : void(lane.holds_next = true); };
+  const auto hold_for = [&](const std::string& code, const std::string& message) {
+    hold_next();
+    panel_state_.why = code;
+    panel_state_.message = message;
+    panel_state_.stop = control.line_at(step.action.origin);
+  };
   by_kind(
       step.action, [&](const FrameChange& frame) { lane.placement = frame.placement; },
       [&](const Message& message) {
@@ -38,10 +46,29 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
         panel_state_.why = stop.optional ? "M1" : "M0";
         panel_state_.stop = control.line_at(step.action.origin);
       },
-      ignores<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, SurfaceSpeed, Sync,
-              ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
+      [&](const ToolChange& change) {
+        if (lane.is_real() && !change.there) hold_for("M6", translated(texts::grbl_machine::tool_by_hand, change.tool));
+      },
+      [&](const MachineFunction& function) {
+        if (!lane.is_real() || function.by_control) return;
+        const std::string code = fmt::format("M{}", function.code);
+        hold_for(code, translated(texts::grbl_machine::by_hand, code));
+      },
+      [&](const AuxiliaryFunction& function) {
+        if (!lane.is_real()) return;
+        const std::string code = fmt::format("{}{:g}", function.address, function.value);
+        hold_for(code, translated(texts::grbl_machine::by_hand, code));
+      },
+      ignores<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak,
+              CompensationCorner, CompensationCheck>);
+  if (step.motion() != nullptr) note_motion(lane, control, step);
+  lane.take(step);
+}
+
+/// Notes the block of a motion that the planner or the machine receives next.
+void PanelMachine::note_motion(ChannelAxes& lane, Control& control, const Step& step) {
+  const bool is_own = &lane == lane_;
   const Motion* const motion = step.motion();
-  if (motion == nullptr) return;
   const Origin& origin = step.action.origin;
   PanelBlock& pending = lane.pending;
   if (origin.number != lane.modes_of || !pending.modes) {
@@ -71,7 +98,7 @@ void PanelMachine::begin_leg(std::size_t channel) {
   // The planner of the channel's new leg receives the steps from here on; this function replaces the one that used the planner of the
   // previous leg.
   session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };
-  lane.plan(session_->plan(channel), panel_state_.shares);
+  lane.begin_leg(*session_, channel, panel_state_.shares);
   session_->change_outlets();
 }
 
@@ -213,12 +240,11 @@ void PanelMachine::begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& m
   const ToolPosition stand = standing_plainly(number);
   Run& run = running_.emplace();
   run.of = Run::Of::hand;
-  run.by_hand = std::make_unique<Planned>(channel, session_->machine(), stand);
   run.planned_all = true;
   has_moved_ = true;
   PanelOverrides by_hand = panel_state_.shares;
   by_hand.dry_feed = 0;
-  lane.plan(*run.by_hand, by_hand);
+  lane.begin_by_hand(channel, session_->machine(), stand, by_hand);
   TimeEstimate times(lane.roles, rates_of(session_->machine(), channel.setup, lane.axes));
   Steps steps(lane.roles, stand, &times);
   for (const Motion& motion : motions) {
@@ -229,7 +255,7 @@ void PanelMachine::begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& m
     action.what = motion;
     steps.give(action, [&](const Step& step) {
       if (looks_on_) looks_on_(step);
-      run.by_hand->consume(step);
+      lane.take_by_hand(step);
     });
   }
   lane.end_leg();
@@ -269,18 +295,18 @@ void PanelMachine::end_run() {
   holds_ = lets_go_ = false;
   held_until_.reset();
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    ServoClock& clock = lanes_[i]->clock;
-    const Axes at = clock.sample().machine;
+    ChannelAxes& lane = *lanes_[i];
+    const Axes at = lane.sample().machine;
     const auto is_at = [&](const Axes& there) {
       bool is = true;
-      for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is = is && std::fabs(there[a] - at[a]) < nearly_there;
+      for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is = is && std::fabs(there[a] - at[a]) < lane.nearly_there();
       return is;
     };
     const Axes& aim = lanes_[i]->pending.machine;  // End position of a motion by hand. Only one channel moves in such a motion.
     const Control& control = *session_->channels()[i].control;
     if (of == Run::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
     // If the axes are at the session's position except for rounding errors of the planner, they get exactly the session's position.
-    if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);
+    if (const Axes stand = session_->stand(i).machine; is_at(stand)) lane.stand_at(stand);
   }
   if (of != Run::Of::hand) show_what_is_in_force();
   if (of == Run::Of::program) goes_on_ = came_to == Session::State::held;

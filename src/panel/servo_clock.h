@@ -27,6 +27,7 @@ struct ServoSample {
   bool plays = false;  // true if the playback has more motion to play
   bool held = false;   // true if an override of 0 (feed hold) has stopped the axes
   double late = 0;     // the greatest delay of an instant of the servo clock so far, s
+  double age = 0;      // how old the position is, s; 0 on a virtual machine
 };
 
 class ServoClock {

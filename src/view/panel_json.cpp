@@ -75,6 +75,11 @@ void put_modes(PageJson& json, const PanelModes& modes) {
   json["calls"] = call_list_json(modes.calls);
 }
 
+PageJson real_json(const RealMachine& real) {
+  return {{"port", real.port},       {"controller", real.controller},   {"state", real.state},  {"inputs", real.inputs},
+          {"age", finite(real.age)}, {"pending", finite(real.pending)}, {"lost", real.is_lost}, {"locked", real.is_locked}};
+}
+
 }  // namespace
 
 const char* name_of(PanelMode mode) {
@@ -120,6 +125,7 @@ PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes, c
                    {"limit", s.limit ? limit_text(s.limit->by, s.limit->rapid, axes, lang) : std::string()},
                    {"channels", channels_json(s.channels)},
                    {"blocks", s.blocks}};
+  json["real"] = s.real ? real_json(*s.real) : PageJson();
   static const PanelModes none;
   const PanelModes& modes = s.block.modes ? *s.block.modes : none;
   put_modes(json, modes);

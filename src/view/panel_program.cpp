@@ -149,7 +149,7 @@ tl::expected<PanelProgram::Tables, std::string> PanelProgram::changed(const Page
   request.lang = thread_language();
   auto setup = read_with_tables(request, *opened_.def);
   if (!setup) return tl::unexpected(setup.error());
-  tables.setup = std::move(setup->setup);
+  tables.setup = complete_ ? complete_(std::move(setup->setup)) : std::move(setup->setup);
   return tables;
 }
 

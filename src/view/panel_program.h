@@ -1,6 +1,7 @@
 #pragma once
 // PanelProgram: opens the sessions of a panel machine. It stores the text of the program, and the tables of the program with all edits.
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -31,6 +32,8 @@ class PanelProgram {
   /// Returns the text of the program as UTF-8, with line feeds between lines.
   ///   returns  nullopt if the text is not stored in memory
   std::optional<std::string> text() const;
+  /// Completes each version of the tables by what the set-up does not state: the values that a real machine's controller has.
+  void complete_with(std::function<Setup(Setup)> complete) { complete_ = std::move(complete); }
   /// Opens a session of the program. The page passes this function to PanelMachine as its SessionOpener.
   tl::expected<std::unique_ptr<Session>, std::string> open(const std::optional<Axes>& start, const StopToken& stop);
 
@@ -67,6 +70,7 @@ class PanelProgram {
   OpeningRequest request_;
   std::shared_ptr<const std::string> bytes_;
   std::string digest_;
+  std::function<Setup(Setup)> complete_;
   std::vector<std::string> axes_;  // axis names of the control; known after the first session is opened
   mutable std::mutex lock_;
   PageJson edited_;

@@ -1,25 +1,21 @@
 // The Grbl double behind a pseudo-terminal, for tests/drive.py. It prints the name of the terminal, then serves it in real time. Lines on
 // standard input command it: `limit`, `door`, `reset`, `set N VALUE`, `offset G54 X Y Z`, `probe PART` (of a probe motion, after which it
-// touches; 2: never); `quit` or the end of the input ends it. Then it prints the executed lines, what it has read in check mode, and last
-// its state and position.
-
-#include <fcntl.h>
-#include <poll.h>
-#include <termios.h>
-#include <unistd.h>
+// touches; 2: never), `unplug`; `quit` or the end of the input ends it. Then it prints the executed lines, what it has read in check mode,
+// and last its state and position.
 
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <sstream>
 
-#include "drive/grbl_double.h"
+#include "drive/double_terminal.h"
 
 namespace {
 
+using kadr::drive::test::DoubleTerminal;
 using kadr::drive::test::GrblDouble;
 
-bool command(GrblDouble& machine, const std::string& line) {
+bool command(DoubleTerminal& terminal, const std::string& line) {
+  GrblDouble& machine = terminal.machine;
   std::istringstream words(line);
   std::string name, offset;
   words >> name;
@@ -30,6 +26,7 @@ bool command(GrblDouble& machine, const std::string& line) {
   else if (name == "reset") machine.power_cycle();
   else if (name == "set" && words >> number >> value) machine.settings[number] = value;
   else if (name == "probe" && words >> value) machine.probe_part = value, machine.probe_touches = value <= 1;
+  else if (name == "unplug") terminal.unplug();
   else if (name == "offset" && words >> offset)
     words >> machine.offsets[offset][0] >> machine.offsets[offset][1] >> machine.offsets[offset][2];
   return name != "quit";
@@ -38,40 +35,28 @@ bool command(GrblDouble& machine, const std::string& line) {
 }  // namespace
 
 int main() {
-  const int master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
-  if (master < 0 || ::grantpt(master) != 0 || ::unlockpt(master) != 0) return 2;
-  const char* const name = ::ptsname(master);
-  const int kept = ::open(name, O_RDWR | O_NOCTTY);  // kept open, so that the terminal does not end with its first user
-  termios raw{};
-  if (kept < 0 || ::tcgetattr(kept, &raw) != 0) return 2;
-  ::cfmakeraw(&raw);
-  ::tcsetattr(kept, TCSANOW, &raw);
-  std::printf("%s\n", name);
+  DoubleTerminal terminal;
+  if (!terminal.is_open()) return 2;
+  GrblDouble& machine = terminal.machine;
+  std::printf("%s\n", terminal.name().c_str());
   std::fflush(stdout);
-  GrblDouble machine;
-  (void)machine.take_output();
-  machine.power_cycle();
   const auto begin = std::chrono::steady_clock::now();
   std::string typed;
   for (bool runs = true; runs;) {
-    pollfd inputs[] = {{master, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
+    pollfd inputs[] = {{terminal.master(), POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
     (void)::poll(inputs, 2, 1);
     char bytes[256];
-    if ((inputs[0].revents & POLLIN) != 0)
-      for (ssize_t i = 0, got = ::read(master, bytes, sizeof bytes); i < got; ++i) machine.receive(bytes[i]);
     if ((inputs[1].revents & (POLLIN | POLLHUP)) != 0) {
       const ssize_t got = ::read(STDIN_FILENO, bytes, sizeof bytes);
       if (got <= 0) break;
       typed.append(bytes, static_cast<std::size_t>(got));
       for (std::size_t end = typed.find('\n'); end != std::string::npos; end = typed.find('\n')) {
-        runs = command(machine, typed.substr(0, end)) && runs;
+        runs = command(terminal, typed.substr(0, end)) && runs;
         typed.erase(0, end + 1);
       }
     }
     const std::chrono::duration<double> now = std::chrono::steady_clock::now() - begin;
-    while (machine.now < now.count()) machine.advance();
-    const std::string output = machine.take_output();
-    if (!output.empty() && ::write(master, output.data(), output.size()) < 0) break;
+    if (terminal.is_open() && !terminal.serve(now.count())) break;
   }
   for (const std::string& line : machine.executed) std::printf("%s\n", line.c_str());
   if (!machine.checked.empty()) std::printf("checked %zu%s\n", machine.checked.size(), machine.written_in_check ? ", EEPROM written" : "");

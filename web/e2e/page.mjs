@@ -14,6 +14,7 @@ import { channel_steps } from "./channel_steps.mjs";
 import { finger_steps } from "./finger_steps.mjs";
 import { panel_steps } from "./panel_steps.mjs";
 import { program_steps } from "./program_steps.mjs";
+import { real_steps } from "./real_steps.mjs";
 import { restart_steps } from "./restart_steps.mjs";
 import { table_steps } from "./table_steps.mjs";
 import { hand_steps } from "./hand_steps.mjs";
@@ -52,7 +53,19 @@ const alone = only || (wanted && wanted !== "view"); // no program is open when 
 const place = { kadr, page, pictures, examples, only: alone };
 // Each group runs alone, in a browser of its own (tests/page_in_browser.py), or all of them in this order. The build reads
 // this line: each name is a test.
-const group_names = ["view", "files", "text", "figures", "setup", "panel", "live", "making", "hand", "operator"];
+const group_names = [
+  "view",
+  "files",
+  "text",
+  "figures",
+  "setup",
+  "panel",
+  "live",
+  "making",
+  "hand",
+  "operator",
+  "real",
+];
 const groups = {
   view: { ...program_steps(place), ...rotary_steps({ kadr, page, pictures, only }) },
   files: file_steps(place),
@@ -79,6 +92,7 @@ const groups = {
     ...picture_steps(place),
     ...operator_day({ kadr, browser: page.context().browser(), pictures }),
   },
+  real: real_steps(place),
 };
 must(String(Object.keys(groups)) === String(group_names), "group_names does not name the groups");
 const chosen = Object.entries(groups).filter(([name]) => !wanted || name === wanted);

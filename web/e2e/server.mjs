@@ -3,7 +3,7 @@
 import { spawn } from "node:child_process";
 import { appendFileSync, cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { serve_page } from "../test/mock-server.mjs";
 import { session } from "../test/mock-session.mjs";
@@ -58,6 +58,14 @@ const our_own = {
     "N190 M30",
     "%",
   ].join("\n"),
+  // For a real machine: long enough to be held.
+  "real.nc": [
+    "G21 G90 G17 G54",
+    "M3 S500",
+    ...Array.from({ length: 20 }, (_, i) => `G1 X${i % 2 ? 0 : 60}. Y${i}. F1800`),
+    "M5",
+    "M30",
+  ].join("\n"),
   "zero.json": JSON.stringify({
     work_offsets: { G54: { X: -100, Y: -50, Z: -300 } },
     offsets: { 2: { radius: 8 }, 3: { length: 80 } },
@@ -85,6 +93,16 @@ const our_own = {
   ].join("\n"),
 };
 
+/// Starts the double of a Grbl controller that was built with the program; null if it was not.
+async function grbl_double(kadr) {
+  const program = join(dirname(kadr), "tests", "grbl_double");
+  if (!existsSync(program)) return null;
+  const child = spawn(program, { stdio: ["pipe", "pipe", "inherit"] });
+  const port = await new Promise((yes) => child.stdout.once("data", (d) => yes(String(d).trim())));
+  child.stdout.on("data", () => {});
+  return { port, tell: (line) => child.stdin.write(`${line}\n`), end: () => child.kill("SIGKILL") };
+}
+
 export async function real(kadr, examples) {
   const folder = mkdtempSync(join(tmpdir(), "kadr-examples-"));
   cpSync(examples, folder, { recursive: true });
@@ -94,11 +112,13 @@ export async function real(kadr, examples) {
       "%\n(</script><img src=x onerror=boom()>)\nN10 G21 G90\nN20 G0 X0 Y0\nN30 G1 X10 F100\nM30\n%\n",
     );
   for (const [name, text] of Object.entries(our_own)) writeFileSync(join(folder, name), text);
+  const double = await grbl_double(kadr),
+    drives = double ? ["--drive", double.port, "--drive-log", join(tmpdir(), `kadr-drive-${process.pid}.log`)] : [];
   let child,
     address = "";
   const start = (port, ...more) =>
     new Promise((yes, no) => {
-      child = spawn(kadr, ["serve", folder, "--no-browser", "--port", String(port), ...more], {
+      child = spawn(kadr, ["serve", folder, "--no-browser", "--port", String(port), ...drives, ...more], {
         stdio: ["ignore", "pipe", "inherit"],
       });
       let said = "";
@@ -132,8 +152,10 @@ export async function real(kadr, examples) {
     regain: async () => {
       address = (await start(Number(port), "--open"))[1]; // it has another token: a page that was open may only watch
     },
+    double,
     close: async () => {
       await stop();
+      double?.end();
       rmSync(folder, { recursive: true, force: true });
     },
   };

@@ -141,8 +141,11 @@ struct ServeOptions {
   std::string host = "127.0.0.1";
   int port = 8437;  // TCP port of the server; 0: any free port
   bool no_browser = false;
-  bool open = false;         // true: clients without the access token may watch the sessions
-  double max_memory = 2000;  // memory limit of all sessions together, MB
+  bool open = false;                // true: clients without the access token may watch the sessions
+  double max_memory = 2000;         // memory limit of all sessions together, MB
+  std::vector<std::string> drives;  // ports with real machines that the pages may use; "found": all under /dev/serial/by-id
+  int baud = 115200;                // rate of these ports, bit/s
+  std::string drive_log = "kadr-drive.log";
   std::string lang;
 };
 int serve(const ServeOptions& options);

@@ -5,16 +5,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "drive/grbl/grbl_words.h"
 
 namespace kadr::drive {
 namespace {
-
-constexpr double chord = 0.01;  // greatest distance of an arc from the chords by which its path is stored, mm
-
-GrblPoint point_of(const Axes& axes) { return {axes[0], axes[1], axes[2]}; }
 
 /// Returns the line without the words M0 and M1, which Kadr executes itself.
 std::string without_stop(std::string_view text) {
@@ -52,46 +47,18 @@ void GrblJob::take(const Step& step, double longer) {
     return;
   }
   line.seconds += step.motion() != nullptr ? step.time.seconds + longer : step.pause;
-  if (const auto* const spindle = std::get_if<Spindle>(&step.action.what)) {
-    const bool turns = spindle->dir == SpindleDir::cw || spindle->dir == SpindleDir::ccw;
-    needs_.turns_spindle = needs_.turns_spindle || turns;
-    if (turns) needs_.speed = std::max(needs_.speed, spindle->rpm);
-  } else if (const auto* const speed = std::get_if<Speed>(&step.action.what)) {
-    needs_.speed = std::max(needs_.speed, speed->value);
-  } else if (const Motion* const motion = step.motion()) {
-    needs_.feed = std::max(needs_.feed, step.time.feed);
+  note_speeds(needs_, step);
+  if (const Motion* const motion = step.motion()) {
     line.probes = line.probes || motion->kind == MotionKind::probe;
     add_path(step, *motion, line);
   }
 }
 
 void GrblJob::add_path(const Step& step, const Motion& motion, OfLine& line) {
-  const GrblPoint from = point_of(step.from.machine), to = point_of(motion.machine);
-  if (!needs_.first_target && from != to) {
-    needs_.start = from;
-    needs_.first_target = to;
-    first_at_ = step.action.origin.line;
-    needs_.first_line = text_.line_in_program(step.action.origin.line);
-  }
-  const Curve& curve = step.curve();
-  const int pieces = curve.straight() ? 1 : curve.pieces(chord);
-  if (from == to && pieces == 1) return;
-  if (line.path.empty()) line.path.push_back(from);
-  for (int i = 1; i <= pieces; ++i) {
-    GrblPoint point = to;
-    if (i < pieces) {
-      const Axes work = curve.at(double(i) / pieces);
-      for (std::size_t a = 0; a < grbl_axes; ++a) point[a] = work[a] + (motion.machine[a] - motion.to[a]);
-    }
-    line.path.push_back(point);
-  }
-  for (const GrblPoint& point : line.path) {
-    if (!needs_.least) needs_.least = needs_.most = point;
-    for (std::size_t a = 0; a < grbl_axes; ++a) {
-      (*needs_.least)[a] = std::min((*needs_.least)[a], point[a]);
-      (*needs_.most)[a] = std::max((*needs_.most)[a], point[a]);
-    }
-  }
+  std::vector<GrblPoint> path = path_of(step, motion);
+  if (note_path(needs_, path, text_.line_in_program(step.action.origin.line))) first_at_ = step.action.origin.line;
+  if (path.size() == 1) return;
+  line.path.insert(line.path.end(), path.begin() + (line.path.empty() ? 0 : 1), path.end());
 }
 
 /// Executes the program until a step of a later line than `line` has come, so that `line` is complete.

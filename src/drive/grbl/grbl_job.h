@@ -14,25 +14,10 @@
 #include "drive/grbl/grbl_restart.h"
 #include "drive/grbl/grbl_settings.h"
 #include "drive/grbl/job_line.h"
+#include "drive/grbl/job_needs.h"
 #include "session/session.h"
 
 namespace kadr::drive {
-
-/// What a program needs of the machine, found by executing it.
-struct JobNeeds {
-  std::optional<GrblPoint> least, most;   // extents of the path in machine coordinates, mm; nullopt: nothing moves
-  GrblPoint start{};                      // position before the first motion, machine coordinates
-  std::optional<GrblPoint> first_target;  // end of the first motion
-  std::uint32_t first_line = 0;           // its line
-  std::string first_text;                 // and its text
-  double feed = 0;                        // greatest feed, mm/min
-  double speed = 0;                       // greatest spindle speed, rev/min
-  bool turns_spindle = false, probes = false;
-  std::uint64_t lines = 0, stops = 0;    // lines that are sent, and stops of the program
-  double seconds = 0;                    // time of all lines
-  std::optional<AlarmReport> alarm;      // the alarm that stopped the run
-  std::optional<std::uint32_t> refused;  // a line that may not be sent: a `$` line
-};
 
 class GrblJob {
  public:

@@ -148,6 +148,8 @@ class GrblLink {
   /// Sets the feed override, 10 to 200 %, by the steps that the controller knows; and that of rapids: 100, 50 or 25 %.
   void override_feed(int percent);
   void override_rapid(int percent);
+  /// Sets the override of the spindle, 10 to 200 %.
+  void override_spindle(int percent);
   /// Cancels a jog (real-time command 0x85).
   void cancel_jog() { urgent_ += '\x85'; }
 
@@ -194,6 +196,7 @@ class GrblLink {
   bool is_line_free() const;
   bool waits_for_rest() const;
   void send_line(Sent sent);
+  void override_by(char whole, int percent);
   void fault(LinkFault fault, int number = 0, std::uint32_t line = 0, std::string text = {}, double value = 0);
   void end_job();
   void note(LinkEventKind kind, std::uint32_t line = 0, std::string text = {});

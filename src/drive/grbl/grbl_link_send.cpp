@@ -70,12 +70,16 @@ bool GrblLink::ask_offsets() {
   return true;
 }
 
-void GrblLink::override_feed(int percent) {
-  constexpr char whole = '\x90', ten_more = '\x91', ten_less = '\x92', one_more = '\x93', one_less = '\x94';
+void GrblLink::override_feed(int percent) { override_by('\x90', percent); }
+void GrblLink::override_spindle(int percent) { override_by('\x99', percent); }
+
+/// Sends `whole`, which sets an override to 100 %, and then steps: the four bytes after it are 10 % more and less, 1 % more and less.
+void GrblLink::override_by(char whole, int percent) {
+  const auto step = [whole](int number) { return static_cast<char>(whole + number); };
   const int change = std::clamp(percent, 10, 200) - 100;
   urgent_ += whole;
-  urgent_.append(static_cast<std::size_t>(std::abs(change) / 10), change > 0 ? ten_more : ten_less);
-  urgent_.append(static_cast<std::size_t>(std::abs(change) % 10), change > 0 ? one_more : one_less);
+  urgent_.append(static_cast<std::size_t>(std::abs(change) / 10), step(change > 0 ? 1 : 2));
+  urgent_.append(static_cast<std::size_t>(std::abs(change) % 10), step(change > 0 ? 3 : 4));
 }
 
 void GrblLink::override_rapid(int percent) { urgent_ += percent <= 25 ? '\x97' : percent <= 50 ? '\x96' : '\x95'; }

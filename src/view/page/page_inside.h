@@ -21,6 +21,7 @@
 namespace kadr {
 
 struct PageConversion;
+struct RealConnection;
 struct Converted;
 
 /// The reason why a request is refused, as the page receives it.
@@ -130,7 +131,11 @@ struct PageSession::Inside {
   Answer answer_to_machine(const PageJson& question);
   Answer watch(const PageJson& question);
   void note(const char* kind, const std::string& text, std::uint32_t line) const;
+  // ---- requests that are answered in page_drive.cpp
+  Answer ports(const PageJson& question);
+  Answer prove_machine(const PageJson& question);
   std::string keep(const char* what, const std::string& text) const;
+  tl::expected<RealConnection, Refusal> connect_for(const PageJson& question, OpenedProgram& opened) const;
   tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> switch_on(const std::string& file, const PageJson& question);
   // ---- requests that are answered in page_tables.cpp
   Answer tables(const PageJson& question);

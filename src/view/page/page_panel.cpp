@@ -3,10 +3,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/json_text.h"
+#include "panel/grbl_axes.h"
 #include "texts/panel_page.h"
+#include "view/page/page_drive.h"
 #include "view/page/page_inside.h"
 #include "view/panel_content.h"
 #include "view/panel_json.h"
@@ -79,6 +82,28 @@ PageJson spot_json(const std::string& text) {
   return spot;
 }
 
+/// Edits of the tables keep what the set-up does not state and the controller has.
+void fill_tables(PanelProgram& program, const drive::GrblMachine& machine, const RealPorts& ports) {
+  program.complete_with([settings = machine.settings(), own = ports.own(*program.opened().def)](Setup setup) {
+    return drive::setup_with_controller(std::move(setup), settings, own);
+  });
+}
+
+Axes position_of(const drive::GrblMachine& machine) {
+  Axes axes{};
+  const auto at = machine.status().view.machine.value_or(drive::GrblPoint{});
+  std::copy(at.begin(), at.end(), axes.begin());
+  return axes;
+}
+
+/// Returns the maker of the axes of a real machine; an empty one if `machine` is nullptr.
+AxesMaker axes_of(const std::shared_ptr<drive::GrblMachine>& machine) {
+  if (!machine) return {};
+  return [machine](int, std::vector<std::string> names, const AxisRoles& roles, const Axes&) {
+    return std::make_unique<GrblAxes>(machine, std::move(names), roles);
+  };
+}
+
 }  // namespace
 
 PageSession::Inside::Answer PageSession::Inside::machines(const PageJson&) {
@@ -94,6 +119,22 @@ PageSession::Inside::Answer PageSession::Inside::machines(const PageJson&) {
   return PageJson{{"machines", std::move(list)}};
 }
 
+/// Connects the real machine that the request names, and checks that each refused row of the proof is accepted. Without a name there is no
+/// real machine.
+tl::expected<RealConnection, Refusal> PageSession::Inside::connect_for(const PageJson& question, OpenedProgram& opened) const {
+  const auto port = value_in<std::string>(question, "port", "");
+  if (port.empty()) return RealConnection{};
+  if (server.real == nullptr) return tl::unexpected(not_served("port").error());
+  auto made = connect_machine(*server.real, port, opened, token());
+  if (!made) return refused(made.error());
+  std::set<std::string> accepted;
+  if (const auto list = question.find("accept"); list != question.end() && list->is_array())
+    for (const PageJson& row : *list)
+      if (row.is_string()) accepted.insert(row.get<std::string>());
+  if (const std::string row = refused_row(*made, accepted); !row.empty()) return refused(row);
+  return std::move(*made);
+}
+
 /// Switches on a machine, with its edited tables and with the axes at their last positions.
 tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside::switch_on(const std::string& file,
                                                                                             const PageJson& question) {
@@ -107,7 +148,10 @@ tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside
   request->tables = journal.value("tables", file).value_or("");
   auto opened = open_for_page(*request);
   if (!opened) return refused(opened.error());
+  auto real = connect_for(question, *opened);
+  if (!real) return tl::unexpected(real.error());
   const auto content = std::make_shared<PanelContent>(std::move(*opened), std::move(*request));
+  if (real->machine) fill_tables(content->program, *real->machine, *server.real);
   const std::string stood = journal.value("spot", file).value_or("");
   const auto spot = spot_of(stood);
   const auto opens = [program = &content->program](const std::optional<Axes>& start, const StopToken& stop) {
@@ -115,8 +159,10 @@ tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside
   };
   PanelRecorder keeper = keeper_of(journal, file, content->program, lang);
   keeper.begins = [&folder = server.folder, file, program = &content->program] { hold_text(folder, file, *program); };
-  auto made = PanelMachine::make(opens, std::move(keeper), spot ? std::optional(spot->machine) : std::nullopt,
-                                 spot ? spot->stands : std::vector<Axes>());
+  std::optional<Axes> start = spot ? std::optional(spot->machine) : std::nullopt;
+  if (real->machine) start = position_of(*real->machine);
+  auto made = PanelMachine::make(opens, std::move(keeper), start, spot && !real->machine ? spot->stands : std::vector<Axes>(),
+                                 axes_of(real->machine));
   if (!made) return refused(made.error());
   if (const auto saved = journal.keep("machine", file, machine_text(saved_machine)); !saved) return refused(saved.error());
   auto place = std::make_shared<PanelHub::HubMachine>();
@@ -198,6 +244,7 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   json["digest"] = content_of(*hub_machine).program.digest();
   json["holds"] = may_change && hub_machine->holder == page;
   json["held"] = hub_machine->holder != 0;
+  if (json["holds"]) hub_machine->machine->keep_alive();
   return json;
 }
 
@@ -229,6 +276,8 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   if (key == "out") return answer_of((*machine)->run(Stepping::How::out));
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
+  if (key == "home") return answer_of((*machine)->home());
+  if (key == "unlock") return answer_of((*machine)->unlock());
   if (key != "off") return refused(translated(texts::panel_page::no_such_key, key));
   (*machine)->switch_off();  // The machine is switched off before its saved data are deleted, so that it saves nothing afterwards.
   note("off", {}, 0);

@@ -15,6 +15,7 @@ namespace kadr {
 class PanelHub;
 class MemoryBound;
 class PanelJournal;
+struct RealPorts;
 class ServedFolder;
 
 /// Connection of a session to its page. The client (server/connection) implements these functions; the session calls them in the thread
@@ -63,6 +64,7 @@ struct PageServer {
   PanelJournal* journal = nullptr;      // saved data of the panel machines; must be set if `hub` is set
   const MemoryBound* memory = nullptr;  // memory limit for all sessions together; nullptr: no limit
   ReportViewer viewer{};
+  const RealPorts* real = nullptr;  // the ports with real machines; nullptr: only virtual machines
 };
 
 class PageSession {

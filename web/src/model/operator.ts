@@ -1,7 +1,7 @@
 // A machine at its panel: on a connection of its own to the server, so that no cut and no long run delays it. Its
 // state is read as often as pictures are drawn.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
-import type { OpenQuestion, Panel, PanelKey, Questions, Stood } from "../protocol/types";
+import type { Panel, PanelKey, Questions, RealQuestion, Stood } from "../protocol/types";
 import { greet } from "./greet";
 import { Signal } from "./signal";
 
@@ -34,7 +34,7 @@ export class Operator {
   readonly on_queued = new Signal<void>(); // a request has begun, and takes long
   readonly on_press = new Signal<void>(); // a key is pressed: its effect must show at once
   private client: Client | null = null;
-  private question: OpenQuestion | null = null;
+  private question: RealQuestion | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private looks = 0; // requests in progress
   private acted_at = -1e9;
@@ -47,7 +47,7 @@ export class Operator {
   }
 
   /// Switches the machine of a program on, or connects to it if it is on.
-  async switch_on(question: OpenQuestion): Promise<void> {
+  async switch_on(question: RealQuestion): Promise<void> {
     const { text: _, ...of_disk } = question;
     this.question = of_disk;
     if (!this.client) {
@@ -116,6 +116,8 @@ export class Operator {
   private async look(): Promise<void> {
     if (!this.client || !this.question) return;
     clearTimeout(this.timer);
+    // Nobody looks at a hidden page: a real machine is then held, because it hears nothing of the page.
+    if (this.panel?.real && typeof document !== "undefined" && document.hidden) return this.look_soon(standing);
     this.looks++;
     try {
       const panel = await this.client.ask("panel", {}),

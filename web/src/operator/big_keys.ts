@@ -58,7 +58,7 @@ export class BigKeys {
       [this.take, t("take_controls"), t("others_hold")],
       [this.start, t(p?.mode === "held" ? "op_continue" : "press_run"), t("op_start_long")],
       [this.hold, t("press_hold"), t("op_hold_long")],
-      [this.stop, t("press_emergency"), t("op_stop_long")],
+      [this.stop, t(p?.real ? "press_stop" : "press_emergency"), t(p?.real ? "press_stop_long" : "op_stop_long")],
       [this.reset, t("press_reset"), t("press_reset_long")],
       [this.single, t("single"), t("single_long")],
       [this.optional, "M1", t("optional_stop_long")],

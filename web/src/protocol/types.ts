@@ -19,6 +19,7 @@ import type {
   Panel,
   PanelKey,
   PanelMode,
+  Proof,
   RestartPlace,
   RestartSheet,
   Stood,
@@ -33,6 +34,7 @@ import type {
   Files,
   Hello,
   OpenQuestion,
+  RealQuestion,
   Opened,
   Passes,
   Problem,
@@ -83,8 +85,10 @@ export interface Questions extends FileQuestions {
   write_blocks: [BlocksQuestion, WrittenBlocks];
   stop: [object, object];
   machines: [object, { machines: { name: string; mode: PanelMode | "kept"; held: boolean }[] }];
+  ports: [object, { ports: string[] }];
+  prove: [RealQuestion, Proof];
   machine: [
-    OpenQuestion,
+    RealQuestion,
     {
       name: string;
       axes: string[];

@@ -32,6 +32,7 @@ export class MdiLine {
   show(p: Panel): void {
     this.may = p.holds && ["standing", "ended"].includes(p.mode);
     if (this.go.disabled === this.may) this.go.disabled = !this.may;
+    this.back.hidden = Boolean(p.real);
     const can_undo = this.may && p.can_undo > 0;
     if (this.back.disabled === can_undo) this.back.disabled = !can_undo;
     const undone = `${t("undo_line")}${p.can_undo ? ` (${p.can_undo})` : ""}`;

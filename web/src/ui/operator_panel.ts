@@ -8,6 +8,7 @@ import { button, fill, h } from "./dom";
 import { PanelFigures } from "./panel_figures";
 import { PanelHands } from "./panel_hands";
 import { PanelKeys } from "./panel_keys";
+import { RealMachinePanel, real_told } from "./real_machine";
 import { RestartPanel } from "./restart_panel";
 import { ShiftPanel } from "./shift_panel";
 import { TablesPanel } from "./tables_panel";
@@ -26,12 +27,14 @@ export class OperatorPanel {
   readonly touch: TouchPanel;
   readonly watch: WatchPanel;
   readonly shift: ShiftPanel;
+  private real: RealMachinePanel;
   private now = {
     mode: h("span", { class: "mode" }),
     name: h("b", { class: "grow" }),
     line: h("span", { class: "dim" }),
     block: h("code", { class: "block-text" }),
   };
+  private age = h("span", { class: "dim" }); // of the position of a real machine
   private said_drawn = "";
   private drawn = ""; // the state for which keys and hand controls were drawn
 
@@ -42,6 +45,7 @@ export class OperatorPanel {
     ask_touch: TouchDoor["ask"],
   ) {
     this.keys = new PanelKeys(operator);
+    this.real = new RealMachinePanel(app, operator);
     this.figures = new PanelFigures(operator);
     this.hands = new PanelHands(operator, () => this.draw());
     this.restart = new RestartPanel(app, operator);
@@ -90,7 +94,9 @@ export class OperatorPanel {
           },
           { class: "main", disabled: !file, title: t("switch_on_long") },
         ),
+        this.real.element,
       );
+      this.real.show();
       this.keys.clear();
       this.figures.clear();
       return fill(this.hands.element);
@@ -109,6 +115,7 @@ export class OperatorPanel {
       p.asks,
       this.hands.state,
       p.diameters,
+      Boolean(p.real),
     ]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
@@ -117,7 +124,20 @@ export class OperatorPanel {
   }
 
   private draw_head(p: Panel): void {
-    const told = [p.mode, p.why, p.goes_there, p.told, p.asks, p.takes_tables, p.not_kept, p.alarm, p.holds],
+    const told = [
+        p.real?.state,
+        p.real?.lost,
+        p.real?.locked,
+        p.mode,
+        p.why,
+        p.goes_there,
+        p.told,
+        p.asks,
+        p.takes_tables,
+        p.not_kept,
+        p.alarm,
+        p.holds,
+      ],
       wanted = JSON.stringify([told, this.operator.stood]);
     const { mode, name, line, block } = this.now;
     set(mode, "class", `mode ${p.mode}`);
@@ -125,9 +145,17 @@ export class OperatorPanel {
     write(name, this.operator.name ?? "");
     write(line, t("line_n", { line: p.line }));
     write(block, p.text);
+    write(this.age, p.real ? t("real_age", { port: p.real.port, ms: Math.round(p.real.age * 1000) }) : "");
     if (wanted === this.said_drawn) return; // a button that was drawn again would lose the finger that holds it
     this.said_drawn = wanted;
-    fill(this.head, h("div", { class: "row" }, mode, name, line), block, ...this.said(p));
+    fill(
+      this.head,
+      h("div", { class: "row" }, mode, name, line),
+      block,
+      this.age,
+      ...real_told(p, this.operator),
+      ...this.said(p),
+    );
   }
 
   /// What the machine says, with the buttons to answer it.

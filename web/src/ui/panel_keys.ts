@@ -80,7 +80,10 @@ export class PanelKeys {
       }),
       button(t("press_hold"), () => operator.press("hold"), { disabled: off || p.mode !== "running" }),
       button(t("press_reset"), () => operator.press("reset"), { disabled: off, title: t("press_reset_long") }),
-      button(t("press_emergency"), () => operator.press("emergency"), { class: "emergency" }),
+      button(t(p.real ? "press_stop" : "press_emergency"), () => operator.press("emergency"), {
+        class: "emergency",
+        ...(p.real ? { title: t("press_stop_long") } : {}),
+      }),
     );
     fill(
       this.keys,

@@ -84,7 +84,7 @@ export class TouchPanel {
 
   private draw(): void {
     const p = this.operator.panel;
-    this.element.hidden = !p;
+    this.element.hidden = !p || Boolean(p.real); // a real machine does not touch the part that Kadr has cut
     if (!p) return;
     const may = p.holds && ["standing", "ended"].includes(p.mode),
       wanted = JSON.stringify([

@@ -4,7 +4,8 @@ import type { Call, Modal, Problem, Surface, ToolOffset } from "./program";
 
 /// Each question, with its contents and its answer.
 export type PanelMode = "standing" | "running" | "held" | "ended" | "alarm" | "emergency";
-export type PanelKey = "run" | "hold" | "reset" | "emergency" | "take" | "off" | "block" | "over" | "out";
+export type PanelKey =
+  "run" | "hold" | "reset" | "emergency" | "take" | "off" | "block" | "over" | "out" | "home" | "unlock";
 export interface StopPoint {
   number: number;
   line: number;
@@ -41,7 +42,7 @@ export interface Panel {
   stops: StopPoint[];
   hit: number;
   told: string;
-  why: "" | "M0" | "M1" | "restart";
+  why: string; // "", "M0", "M1", "restart"; on a real machine also "M6", "M21" …
   stop_line?: number; // of the program, with the code of `why`
   stop_text?: string;
   goes_there: boolean;
@@ -63,6 +64,37 @@ export interface Panel {
   limit: string;
   channels: PanelChannel[];
   digest: string; // of the program text that the machine runs
+  real?: RealMachine | null; // null: the machine is virtual
+}
+/// A real machine: what its controller reports. `age` of the position and `pending` in s: how long the axes would go on
+/// moving if the connection broke now.
+export interface RealMachine {
+  port: string;
+  controller: string;
+  state: string;
+  inputs: string;
+  age: number;
+  pending: number;
+  lost: boolean;
+  locked: boolean;
+}
+export interface ProofRow {
+  id: string;
+  what: string;
+  controller: string;
+  program: string;
+  verdict: "equal" | "note" | "refused";
+  why: string;
+}
+/// A program compared with a connected controller; `first`: the first motion, machine coordinates.
+export interface Proof {
+  rows: ProofRow[];
+  lines: number;
+  stops: number;
+  seconds: number;
+  first: { line: number; text: string; from: Axes; to: Axes } | null;
+  controller: string;
+  locked: boolean;
 }
 /// One of several channels; `waits`: its axes have reached a waiting code, which of the required channels (`channels`)
 /// have too (`here`).

@@ -20,6 +20,11 @@ export interface Files {
   more?: boolean;
 }
 
+/// With `port` the machine is real; `accept`: rows of the proof that the operator accepts.
+export interface RealQuestion extends OpenQuestion {
+  port?: string;
+  accept?: string[];
+}
 export interface OpenQuestion {
   file: string;
   control?: string;
