@@ -147,8 +147,12 @@ def judge_area(points, contours, side, bottom, levels):
         nearest = min(math.dist((x, y), wall) for wall in walls)
         expect(nearest > RADIUS + side - WALL_TOLERANCE, f'the centre is {nearest} from a wall at {x:.3f} {y:.3f} {z:.3f}')
         expect(to_remove((x, y), contours), f'the centre is outside the area at {x:.3f} {y:.3f}')
+    at = None
     for kind, x, y, z in points:
-        expect(kind != 'rapid' or z > -1e-6 or z > bottom, f'rapid at {x:.3f} {y:.3f} {z:.3f}')
+        expect(kind == 'rapid' or z < 2 + 1e-6, f'at feed {z:.3f} above the surface, where nothing can be cut')
+        sideways = at is not None and math.dist(at[:2], (x, y)) > 1e-6
+        expect(kind != 'rapid' or z > -1e-6 or not sideways, f'sideways at rapid at {x:.3f} {y:.3f} {z:.3f}')
+        at = (x, y, z)
     if not levels:
         return
     lowest = [(x, y) for x, y, z in cut if abs(z - bottom) < 1e-6]

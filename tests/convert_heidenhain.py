@@ -13,7 +13,7 @@ from page_client.client import expect, result
 
 KLARTEXT = 'heidenhain'
 # Labels, cycles, parameters, approach and departure are expanded; every control can express what is left.
-FROM = ('curved_slots.h',)
+FROM = ('curved_slots.h', 'pump_cover.h')
 TO = ('fanuc', 'linuxcnc', 'haas', 'sinumerik')
 INTO = ('fanuc/rounded_plate.nc', 'haas/pocket.nc', 'haas/face.nc', 'linuxcnc/outline.ngc', 'mach3/bolt_circle.tap', 'nct/cam_plate.nct',
         'gost/plate.nc', 'sinumerik/star_cam.mpf')

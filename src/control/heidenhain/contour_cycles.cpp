@@ -235,6 +235,7 @@ class ContourCycle {
       for (const area::Field& field : area::fields_of(zone, all))
         for (const Edges& loop : field.reach) {
           ++count;
+          path_.raise(height_);
           for (const double level : levels) wall(field, ccw_ ? loop : area::reversed(loop), level);
           if (steps.size() > most_contour_steps) return fail(alarm(AlarmId::cycle_endless, where_));
         }
@@ -257,8 +258,9 @@ class ContourCycle {
       const Edge to{begin + size * (inwards - along), begin, bulge}, from{begin, begin + size * (inwards + along), bulge};
       if (area::holds(field, {to, from})) in = {to}, out = {from};
     }
-    if (path_.height() < surface_ + tol::same_point) path_.raise(clearance_);
+    if (path_.height() < clearance_) path_.raise(clearance_);
     path_.move(in.empty() ? begin : in[0].from);
+    path_.raise(clearance_);
     path_.raise(level, plunge_);
     for (const Edge& edge : in) cut(edge);
     cut(area::section(first, 0.5, 1));
