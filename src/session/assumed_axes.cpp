@@ -51,7 +51,8 @@ bool moves_named(std::string_view line, char axis, bool is_variable) {
     const std::string_view rest = line.substr(i + 1);
     if (begins_value(rest) && rest[0] != 'Q') {
       const std::size_t end = rest.find_first_not_of("+-.0123456789");
-      if (end == std::string_view::npos || rest[end] != ':') return true;  // C1: is a label
+      const bool other = end != std::string_view::npos && (rest[end] == ':' || rest[end] == '=');  // the label C1:, the word A3=
+      if (!other) return true;
     }
     if (rest[0] == '=' && !is_variable && rest.size() > 1 && rest[1] != '=') return true;
   }

@@ -40,6 +40,7 @@ TEST(AssumedAxes, VariablesTextsAndCommentsAreNoAxes) {
   EXPECT_EQ(assumed("sinumerik", "DEF REAL A, B\nA=5\nB=7\n"), "");
   EXPECT_EQ(assumed("sinumerik", "PROC SUB(REAL A)\nA=5\n"), "");
   EXPECT_EQ(assumed("sinumerik", "; A30\nMSG(\"A30\")\nR1='HFF' R2='B1010'\nIF A==5 GOTOF C1\n$TC_DP1[1,1]=120\n"), "");
+  EXPECT_EQ(assumed("sinumerik", "G1 X1 A3=0 B3=0.5 C3=1 F100\nC1: G1 X2\n"), "");
   EXPECT_EQ(assumed("sinumerik", "TRANSA1\nCYCLE81(10,0,2,-5)\nR[A]=5\n"), "");
 }
 
