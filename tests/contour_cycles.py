@@ -261,6 +261,9 @@ def check_faults_are_named(kadr):
             (sl_program([(square, False)], ROUGH).replace('LBL 1\n', 'LBL 7\n'), 'heidenhain', 'label_missing'),
             (sl_program([(square, False)], ROUGH).replace('  L X+0.000 Y+0.000\n', ''), 'heidenhain', 'contour_not_closed'),
             (sl_program([(square, False)], ROUGH).replace('  L X+10.000 Y+6.000\n', '  L X+10 Y+6 Z\n'), 'heidenhain', 'alarm'),
+            (sl_program([(square, False)], ROUGH).replace('LBL 1\n', 'LBL 1\n' + ROUGH + '\nCYCL CALL\n'), 'heidenhain', 'outline_missing'),
+            ('T1 M6\nS1000 M3\nG0 Z50\n' + CYCLE72.format(name='AA:BB', vari=1, side=41, way=1) + 'AA: G0 X0\n' +
+             CYCLE72.format(name='AA:BB', vari=1, side=41, way=1) + 'BB: M0\nM30\n', 'sinumerik', 'outline_missing'),
             ('T1 M6\nS1000 M3\n' + CYCLE72.format(name='NOWHERE', vari=1, side=41, way=1) + 'M30\n', 'sinumerik', 'program_missing'),
             ('T1 M6\nS1000 M3\nG0 Z50\n' + CYCLE72.format(name='AA:BB', vari=1, side=41, way=1) + 'AA: G0 X0\nBB: M0\nM30\n', 'sinumerik', 'outline_missing'),
             ('T1 M6\nS1000 M3\nG0 Z50\n' + CYCLE72.format(name='AA:BB', vari=1, side=41, way=1) + 'AA: G0 X0\nCC: G1 X9\nGOTOB CC\nBB: M0\nM30\n', 'sinumerik', '')):

@@ -69,6 +69,8 @@ class Interpreter final : public Emitter {
   LatheModes lathe_modes() const;
   /// Returns the set-up of the run, for a copy of the interpreter (control/outline_run.h); nullptr if the dialect makes no copies.
   const Setup* kept_setup() const { return kept_setup_.get(); }
+  /// Makes kept_setup() return nullptr, so that a copy makes no copies: a contour whose cycle needs the same contour would never end.
+  void make_no_copies() { kept_setup_.reset(); }
   /// Copies the data that the channels of a machine share from the interpreter of another channel.
   void take_common(const Interpreter& from);
 

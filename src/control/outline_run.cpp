@@ -82,6 +82,7 @@ class OutlineRun {
     if (!now) return fail(alarm(AlarmId::outline_missing, where_));
     static std::function<void(const AlarmReport&)> nobody;
     copy_.on_warning = &nobody;
+    copy_.make_no_copies();
     KADR_TRY(copy_.restore(*now));
     ActionBatch batch;
     copy_.batch = &batch;
@@ -176,6 +177,7 @@ Edges edges_of(const ActionBatch& path, Vec2 from, PlaneAxes plane) {
 }  // namespace
 
 Result<Outline> outline_of(Interpreter& m, Span where, const std::function<Status(Interpreter& copy)>& call) {
+  if (m.kept_setup() == nullptr) return fail(alarm(AlarmId::outline_missing, where));  // the cycle is in a contour
   OutlineRun run(m, where, m.program().limits());
   if (const Status done = run.run(call); !done) return fail(done.error());
   const bool resolves = m.find_corners != nullptr && *m.find_corners;

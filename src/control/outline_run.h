@@ -23,7 +23,8 @@ struct Outline {
 /// contour and is not part of the path; motions along other axes are passed over. The state of `m` stays as it is, so assignments of the
 /// subprogram have no effect after it.
 ///   call     starts the subprogram in the copy, which is in the state of `m`
-///   alarms   those of the subprogram's blocks, of its chamfers and roundings; outline_missing: it moves nothing, or measures
+///   alarms   those of the subprogram's blocks, of its chamfers and roundings; outline_missing: it moves nothing, measures, or has such a
+///   cycle itself
 Result<Outline> outline_of(Interpreter& m, Span where, const std::function<Status(Interpreter& copy)>& call);
 
 /// Returns the path of the tool's centre along an outline: from the point on the normal to its first edge to the one on the normal to its
