@@ -11,11 +11,11 @@
 namespace kadr::heidenhain {
 
 bool is_area_cycle(int cycle) {
-  constexpr int all[] = {3, 4, 5, 204, 210, 211, 212, 213, 214, 215, 230, 232, 251, 252, 253, 254, 256, 257, 262, 263, 264, 265, 267};
+  constexpr int all[] = {3, 4, 5, 204, 210, 211, 212, 213, 214, 215, 230, 231, 232, 251, 252, 253, 254, 256, 257, 262, 263, 264, 265, 267};
   return std::find(std::begin(all), std::end(all), cycle) != std::end(all);
 }
 
-bool has_own_place(int cycle) { return (cycle >= 210 && cycle <= 215) || cycle == 230 || cycle == 232; }
+bool has_own_place(int cycle) { return (cycle >= 210 && cycle <= 215) || (cycle >= 230 && cycle <= 232); }
 
 /// Returns an empty path that begins where the last step ends.
 MillPath AreaMaker::new_path() const {
@@ -44,6 +44,7 @@ Status AreaMaker::run(int cycle) {
     case 256:
     case 257: return stud(cycle);
     case 230: return multipass();
+    case 231: return ruled_surface();
     case 232: return face();
     case 251:
     case 252:

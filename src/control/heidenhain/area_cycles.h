@@ -65,6 +65,7 @@ class AreaMaker {
   Status stud(int cycle);
   void around_stud(MillPath& path, RoundedRectangle finished, double blank, double feed);
   Status multipass();
+  Status ruled_surface();
   Status face();
 
   // thread_cycles.cpp

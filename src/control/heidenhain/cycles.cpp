@@ -261,7 +261,7 @@ Status CycleMaker::at_point() {
   const int cycle = own_.memory.cycle;
   const bool is_new = cycle >= 200;
   if (is_new) {
-    const bool has_depth = cycle != 204 && cycle != 230 && cycle != 232;
+    const bool has_depth = cycle != 204 && !(cycle >= 230 && cycle <= 232);
     if (has_depth) KADR_TRY(depth_allowed());
     levels(length(203) + raised_, length(200), length(201));
     second_ = surface_ + length(204);

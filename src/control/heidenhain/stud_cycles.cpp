@@ -1,4 +1,4 @@
-// Studs and faces: cycles 213, 215, 256, 257, 230, 232 (spec/heidenhain 12.10, 12.13). The way from one round to the next is Kadr's own.
+// Studs and faces: cycles 213, 215, 256, 257, 230 to 232 (spec/heidenhain 12.10, 12.13). The way from one round to the next is Kadr's own.
 // Used by control/heidenhain.
 
 #include <algorithm>
@@ -99,6 +99,31 @@ Status AreaMaker::multipass() {
     path.move({i % 2 == 0 ? along : 0, y}, feed);
   }
   path.raise(high);
+  return {};
+}
+
+/// 231: lines from the side between points 1 and 4 to the side between points 2 and 3. INFERRED: they divide both sides evenly, and the
+/// tool comes back above the surface, higher than the corners by its diameter (spec/heidenhain 12.13: four points, Q240, Q207).
+Status AreaMaker::ruled_surface() {
+  const auto cutter = own_.cutter_radius(m_, where_);
+  if (!cutter) return fail(cutter.error());
+  const double lines = std::round(q(240)), feed = feed_of(207);
+  if (!(lines >= 1 && lines <= 10'000)) return fail(alarm(AlarmId::value_out_of_range, where_, "Q240", lines));
+  if (feed == 0) KADR_TRY(needs_feed());
+  const auto corner = [&](std::size_t first) { return Vec3{length_of(first), length_of(first + 1), length_of(first + 2) + raised_}; };
+  const Vec3 one = corner(225), two = corner(228), three = corner(231), four = corner(234);
+  const double high = std::max({one.z, two.z, three.z, four.z}) + 2 * *cutter;
+  MillPath path = new_path();
+  path.raise(std::max(high, path.height()));
+  for (int i = 0; i < static_cast<int>(lines); ++i) {
+    const double part = lines > 1 ? i / (lines - 1) : 0;
+    const Vec3 from = one + part * (four - one), to = two + part * (three - two);
+    path.move({from.x, from.y});
+    path.raise(high);
+    path.raise(from.z, feed);
+    path.slope({to.x, to.y}, to.z, feed);
+    path.raise(high);
+  }
   return {};
 }
 
