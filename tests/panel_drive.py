@@ -12,7 +12,7 @@ import time
 from pathlib import Path
 
 import drive
-from page_client.client import Page, Server, expect, result
+from page_client.client import Page, Server, expect, result, seen
 from page_client.machine import stands, until
 
 # Of another control than the controller's: a subprogram, a cycle, an arc by its radius.
@@ -65,6 +65,12 @@ def runs(server, machine):
     page.ask('enter', line='G0 X7')
     until(page, lambda p: p['mode'] in ('ended', 'standing') and abs(p['machine']['X'] - 7) < 0.01)
     expect('error' in page.ask('undo'), 'a real machine cannot go back')
+    machine.tell('probe 0.5')
+    before = page.ask('panel')['machine']['Z']
+    expect('error' in page.ask('probe', axis='Z', way=0.0, feed=100.0), 'a touch that is none')
+    expect('error' not in page.ask('probe', axis='Z', way=-4.0, feed=600.0), 'a touch')
+    touched = until(page, lambda p: p['mode'] in ('ended', 'standing') and 'touched' in p['told'])
+    expect(abs(touched['machine']['Z'] - (before - 2)) < 0.01, f'it stands where it has touched: {touched["machine"]} {touched["told"]}')
     shares = page.ask('switches', rapid=0.4, override=0.5)
     expect('error' not in shares and page.ask('panel')['rapid'] == 0.5, 'the overrides that Grbl has')
     page.ask('press', key='off')
@@ -158,6 +164,8 @@ def main():
         machine = drive.Machine()
         killed(options.kadr, folder, machine)
         machine.process.kill()
+    said = {f'{side}.{do}' for side in ('question', 'answer') for do in ('ports', 'prove', 'probe')}
+    expect(not said - seen, f'of the schema never said: {sorted(said - seen)}')
     return result()
 
 

@@ -23,7 +23,7 @@ UNSAID = {'event.closed'} | {f'{side}.{do}' for side in ('question', 'answer')
                              for do in ('machines', 'machine', 'panel', 'machine_source', 'press', 'switches', 'enter', 'undo', 'jog', 'jogging', 'stops', 'answer', 'watch', 'restart', 'go_there', 'lead',
                                         'tables', 'edit', 'keep_tables', 'shift', 'mill', 'tape', 'convert',
                                         'setup_form', 'keep_setup', 'keep_tools', 'digest', 'rename', 'copy', 'delete', 'restore', 'examples', 'take_example',
-                                        'new_program', 'edit_program', 'write_blocks', 'trash', 'empty_trash', 'report')}  # tests/panel*.py, tests/serve_making.py, tests/serve_convert.py, tests/serve_files.py, tests/serve_setup.py, tests/serve_edit.py, tests/serve_report.py send them
+                                        'new_program', 'edit_program', 'write_blocks', 'trash', 'empty_trash', 'report', 'ports', 'prove', 'probe')}  # tests/panel*.py, tests/serve_making.py, tests/serve_convert.py, tests/serve_files.py, tests/serve_setup.py, tests/serve_edit.py, tests/serve_report.py send them
 
 
 def http(server):

@@ -123,6 +123,10 @@ class ChannelAxes {
   /// apply_overrides() stops the axes. Returns false if the machine moves by take_by_hand() in this case too.
   virtual bool begin_jog(std::size_t /*axis*/, double /*end*/, double /*feed*/) { return false; }
   virtual void keep_jogging() {}
+  /// Moves one axis of a real machine towards `end`, machine coordinates, mm, until its probe touches. Returns false if there is no probe.
+  virtual bool begin_probe(std::size_t /*axis*/, double /*end*/, double /*feed*/) { return false; }
+  /// Where the last begin_probe() has touched, machine coordinates; nullopt: it has not.
+  virtual std::optional<Axes> touched() const { return std::nullopt; }
   /// Ends the leg that is being planned. The axes stop at the end of this leg.
   ///   meeting  the meeting at which the channel waits after the leg; nullptr: nothing follows the leg
   ///   at       the block with the waiting code of this meeting

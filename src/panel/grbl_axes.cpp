@@ -177,6 +177,25 @@ bool GrblAxes::begin_jog(std::size_t axis, double end, double feed) {
   return true;
 }
 
+bool GrblAxes::begin_probe(std::size_t axis, double end, double feed) {
+  const GrblStatus now = machine_->status();
+  if (!now.view.machine) return false;
+  open_leg({}, true);
+  touches_ = now.probes;
+  job_ = machine_->begin_job();
+  for (drive::JobLine& line : writer_.probe(*now.view.machine, axis, end, feed)) machine_->offer(std::move(line));
+  end_leg();
+  return true;
+}
+
+std::optional<Axes> GrblAxes::touched() const {
+  const GrblStatus now = machine_->status();
+  if (now.probes == touches_ || !now.probed) return std::nullopt;
+  Axes at{};
+  std::copy(now.probed->begin(), now.probed->end(), at.begin());
+  return at;
+}
+
 void GrblAxes::end_leg(std::shared_ptr<PanelMeeting>, const Origin&) {
   if (!is_open_) return;
   is_open_ = false;

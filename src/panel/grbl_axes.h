@@ -37,6 +37,8 @@ class GrblAxes final : public ChannelAxes {
                      const PanelOverrides& shares) override;
   void take_by_hand(const Step& step) override { take(step); }
   bool begin_jog(std::size_t axis, double end, double feed) override;
+  bool begin_probe(std::size_t axis, double end, double feed) override;
+  std::optional<Axes> touched() const override;
   void keep_jogging() override { machine_->keep_jogging(); }
   void end_leg(std::shared_ptr<PanelMeeting> meeting = {}, const Origin& at = {}) override;
   bool is_planned() const override { return is_open_; }
@@ -64,12 +66,13 @@ class GrblAxes final : public ChannelAxes {
   drive::GrblWriter writer_;
   PanelBlocks blocks_;
   std::atomic<bool> stopped_{false};
-  bool is_open_ = false;      // the session may still add to the leg
-  std::uint64_t job_ = 0;     // number of the job of the leg; 0: the leg has no line yet
-  bool jogs_ = false;         // the leg is a motion by a held key
-  std::uint32_t motion_ = 0;  // number of the last motion
-  bool holds_ = false;        // a feed hold was sent
-  std::string refused_;       // why an action cannot be executed
+  bool is_open_ = false;       // the session may still add to the leg
+  std::uint64_t job_ = 0;      // number of the job of the leg; 0: the leg has no line yet
+  std::uint64_t touches_ = 0;  // number of touches before the present probe motion
+  bool jogs_ = false;          // the leg is a motion by a held key
+  std::uint32_t motion_ = 0;   // number of the last motion
+  bool holds_ = false;         // a feed hold was sent
+  std::string refused_;        // why an action cannot be executed
   std::optional<PanelOverrides> sent_;
 };
 

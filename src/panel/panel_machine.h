@@ -76,6 +76,9 @@ class PanelMachine {
   /// Homes the axes of a real machine, or unlocks its controller after an alarm.
   Answer home();
   Answer unlock();
+  /// Moves an axis of a real machine until its probe touches, then to the point where it has touched. Without a touch that is an alarm.
+  ///   distance  at most, signed, mm; `feed` mm/min
+  Answer probe(const std::string& axis, double distance, double feed);
   /// The page that has the controls is alive. A real machine is held if it runs and has not been kept alive for `lease`.
   void keep_alive() { alive_at_ = std::chrono::steady_clock::now().time_since_epoch().count(); }
   static constexpr std::chrono::milliseconds lease{3000};
@@ -218,6 +221,8 @@ class PanelMachine {
   bool is_real() const { return lane_->is_real(); }
   void watch_machine();
   void follow_machine();
+  void go_to_touch();
+  void begin_really();
   bool jog_really(std::size_t channel, const std::string& axis, double distance, double feed);
   // The functions below are in panel_restart.cpp.
   Answer may_go_there() const;
@@ -266,7 +271,8 @@ class PanelMachine {
   std::optional<PanelSearch::SearchRequest> retables_;
   std::optional<Setup> tables_before_;  // the tables before the line of the operator that is being executed
   PanelLocation saved_location_;
-  bool has_moved_ = false;  // false until a motion starts after the machine was switched on
+  std::optional<std::size_t> probed_axis_;  // the axis that a probe motion by hand moves
+  bool has_moved_ = false;                  // false until a motion starts after the machine was switched on
   std::map<std::string, double> variables_;
   std::map<std::string, std::uint32_t> set_by_;  // The program line that set each variable last. The key is the name of the variable.
   std::uint32_t last_line_ = 0;                  // number of the program line of the present block

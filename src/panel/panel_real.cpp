@@ -1,11 +1,15 @@
 // PanelMachine, what only a real machine has: faults, homing, a page that must stay alive, axes that others can move. Used by
 // panel/panel_machine; tested by tests/panel/panel_grbl_test.cpp.
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "panel/panel_machine.h"
 #include "texts/grbl_machine.h"
+#include "texts/panel.h"
 
 namespace kadr {
 namespace {
@@ -62,12 +66,55 @@ bool PanelMachine::jog_really(std::size_t channel, const std::string& axis, doub
   lane.pending.machine = lane.sample().machine;
   lane.pending.machine[a] += distance;
   if (!lane.begin_jog(a, lane.pending.machine[a], feed)) return false;
+  begin_really();
+  return true;
+}
+
+PanelMachine::Answer PanelMachine::probe(const std::string& axis, double distance, double feed) {
+  return ask([this, axis, distance, feed]() -> Answer {
+    if (const Answer may = may_begin(); !may) return may;
+    constexpr double farthest_touch = 1000, fastest_touch = 2000;  // mm, mm/min
+    if (!(std::fabs(distance) <= farthest_touch) || distance == 0 || !(feed > 0 && feed <= fastest_touch))
+      return Failed(translated(texts::grbl_machine::touch_limits, farthest_touch, fastest_touch));
+    const Control& control = session_->control();
+    if (control.in_block() || control.meeting()) return Failed(translated(texts::panel::run_block_first));
+    const auto found = std::find(lane_->axes.begin(), lane_->axes.end(), axis);
+    const std::size_t a = std::size_t(found - lane_->axes.begin());
+    if (found == lane_->axes.end() || a > 2) return Failed(translated(texts::panel::no_such_axis, axis));
+    lane_->pending = lane_->on;
+    lane_->pending.machine = lane_->sample().machine;
+    lane_->pending.machine[a] += distance;
+    if (!lane_->begin_probe(a, lane_->pending.machine[a], feed)) return Failed(translated(texts::grbl_machine::no_probe));
+    probed_axis_ = a;
+    panel_state_.message.clear(), panel_state_.why.clear();
+    notify("probe", axis, 0);
+    begin_really();
+    return {};
+  });
+}
+
+/// The axes have passed the point where the probe has touched, while they slowed down: they go back to it.
+void PanelMachine::go_to_touch() {
+  const std::size_t axis = *std::exchange(probed_axis_, std::nullopt);
+  const auto at = lane_->touched();
+  if (!at) return;
+  panel_state_.message = translated(texts::grbl_machine::touched, lane_->axes[axis], fmt::format("{:.3f}", (*at)[axis]));
+  constexpr double back = 100;  // mm/min
+  PanelPath path{own_, {}};
+  WayPoint& point = path.points.emplace_back();
+  point.rapid = false, point.feed = back;
+  point.named = AxisMask{1} << axis;
+  point.machine = *at;
+  match_paths(path);
+}
+
+/// A run that the machine executes by itself: a held key, or a probe motion.
+void PanelMachine::begin_really() {
   PanelRun& run = running_.emplace();
   run.of = Run::Of::hand;
   run.planned_all = true;
   has_moved_ = true;
   play();
-  return true;
 }
 
 PanelMachine::Answer PanelMachine::home() {

@@ -315,6 +315,8 @@ void PanelMachine::end_run() {
     return;
   }
   going_.reset();
+  if (of == Run::Of::hand && probed_axis_) go_to_touch();
+  if (running_) return;
   const bool stopped = came_to == Session::State::stopped && of == Run::Of::program;
   if (stopped) panel_state_.mode = PanelMode::alarm;
   else panel_state_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
@@ -342,6 +344,7 @@ void PanelMachine::drop_run() {
   for (const auto& lane : lanes_) lane->drop();
   running_.reset();
   going_.reset();
+  probed_axis_.reset();
   holds_ = resets_ = lets_go_ = false;
   held_until_.reset();
 }

@@ -214,6 +214,24 @@ TEST(PanelGrbl, AHeldKeyMovesAnAxis) {
   EXPECT_FALSE(panel->undo()) << "a real machine cannot go back";
 }
 
+/// The axis ends where the probe has touched, and the control knows it.
+TEST(PanelGrbl, AProbeTouches) {
+  RealPanel panel(square);
+  panel.real.with([](DoubleTerminal& t) { t.machine.probe_part = 0.25; });
+  EXPECT_FALSE(panel->probe("Z", 0, 100));
+  EXPECT_FALSE(panel->probe("Q", -1, 100));
+  ASSERT_TRUE(panel->probe("Z", -8, 600));
+  ASSERT_TRUE(
+      panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.message.find("-2.000") != std::string::npos; }));
+  panel.expect_at(0, 0, -2);
+  ASSERT_TRUE(panel->enter("G91 G0 Z5"));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && std::fabs(s.sample.machine[2] - 3) < 0.01; }));
+  panel.real.with([](DoubleTerminal& t) { t.machine.probe_touches = false; });
+  ASSERT_TRUE(panel->probe("Z", -2, 600));
+  ASSERT_TRUE(panel.stands(PanelMode::alarm));
+  EXPECT_EQ(panel->state().message, "ALARM:5");
+}
+
 TEST(PanelGrbl, APulledCableIsAnAlarmAndNothingGoesOnByItself) {
   RealPanel panel("G21 G90\nG1 X100 F1500\nM2\n");
   ASSERT_TRUE(panel->run());

@@ -104,6 +104,20 @@ tl::expected<std::vector<JobLine>, std::string> GrblWriter::write(const Step& st
   return std::move(lines_);
 }
 
+std::vector<JobLine> GrblWriter::probe(const GrblPoint& from, std::size_t axis, double end, double feed) {
+  lines_.clear();
+  number_ = 0;
+  GrblPoint to = from;
+  to[axis] = end;
+  std::vector<GrblPoint> path = {from, to};
+  const double seconds = seconds_of(path, feed);
+  add(fmt::format("G38.2{}{}F{:.1f}", "XYZ"[axis], decimals(end - shift_[axis]), feed), seconds, std::move(path));
+  lines_.back().kind = LineKind::alone;
+  lines_.back().probes = true;
+  forget();
+  return std::move(lines_);
+}
+
 GrblWriter::Written GrblWriter::motion(const Step& step, const Motion& motion) {
   if (changes_tool_ != 0 && changes_tool_ == step.action.origin.number) return no_such(plain_text(texts::grbl_machine::tool_and_motion));
   if (moves_further_axes(step, motion)) return no_such(plain_text(texts::grbl_machine::further_axis));

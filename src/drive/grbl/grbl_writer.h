@@ -35,6 +35,9 @@ class GrblWriter {
   ///   number   the number that the lines get (JobLine::number)
   ///   returns  an error sentence for an action that such a machine does not have: a rotary axis, a thread, a probe motion
   tl::expected<std::vector<JobLine>, std::string> write(const Step& step, std::uint32_t number);
+  /// Returns the lines of a probe motion by hand.
+  ///   from, end  machine coordinates, mm; `feed` mm/min
+  std::vector<JobLine> probe(const GrblPoint& from, std::size_t axis, double end, double feed);
   /// Number of stops of the program so far: M0, M1, and tool changes.
   std::uint64_t stops() const { return stops_; }
 

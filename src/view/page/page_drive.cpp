@@ -1,4 +1,4 @@
-// Answers the requests about real machines: `ports`, `prove`; and connects the machine of `machine` with `port`. Used by
+// Answers the requests about real machines: `ports`, `prove`, `probe`; and connects the machine of `machine` with `port`. Used by
 // view/page/page_session and page_panel; tested by tests/panel_drive.py with a double of a Grbl controller.
 
 #include "view/page/page_drive.h"
@@ -109,6 +109,16 @@ PageSession::Inside::Answer PageSession::Inside::ports(const PageJson&) {
   if (may_change && server.real != nullptr)
     for (const std::string& port : server.real->now()) list.push_back(port);
   return PageJson{{"ports", std::move(list)}};
+}
+
+/// Touches with the probe of a real machine.
+PageSession::Inside::Answer PageSession::Inside::probe(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  const auto touched = (*machine)->probe(value_in<std::string>(question, "axis", ""), value_in<double>(question, "way", 0),
+                                         value_in<double>(question, "feed", 0));
+  if (!touched) return refused(touched.error());
+  return PageJson::object();
 }
 
 /// Connects a real machine, compares it with the program, and lets it go. Nothing moves.

@@ -134,6 +134,7 @@ struct PageSession::Inside {
   // ---- requests that are answered in page_drive.cpp
   Answer ports(const PageJson& question);
   Answer prove_machine(const PageJson& question);
+  Answer probe(const PageJson& question);
   std::string keep(const char* what, const std::string& text) const;
   tl::expected<RealConnection, Refusal> connect_for(const PageJson& question, OpenedProgram& opened) const;
   tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> switch_on(const std::string& file, const PageJson& question);

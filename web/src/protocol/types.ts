@@ -118,6 +118,7 @@ export interface Questions extends FileQuestions {
   enter: [{ line: string }, object];
   undo: [object, object];
   jog: [{ axis: string; way: number; feed?: number; channel?: number; held?: boolean }, object];
+  probe: [{ axis: string; way: number; feed: number }, object];
   jogging: [{ on: boolean }, { moves: boolean }];
   restart: [
     RestartPlace & { by_control?: boolean; clearance?: number; above?: number; feed?: number },

@@ -35,6 +35,42 @@ export class PanelHands {
     return (channel ? p?.channels.find((c) => c.number === channel)?.diameters : p?.diameters) ?? no_diameters;
   }
 
+  /// A touch with the probe of a real machine: along one axis, at most so far.
+  private probe(p: Panel): HTMLElement {
+    const ways = this.operator.axes.flatMap((axis) => [`${axis}-`, `${axis}+`]),
+      may = p.holds && ["standing", "ended"].includes(p.mode);
+    const field = (id: "real_probe_way" | "real_probe_feed", usual: string): HTMLInputElement => {
+      const input = h("input", {
+        value: remembered(id, usual),
+        size: "4",
+        inputmode: "decimal",
+        "aria-label": t(id),
+        onchange: () => remember(id, input.value),
+      });
+      return input;
+    };
+    const way = h(
+      "select",
+      { "aria-label": t("real_probe"), onchange: () => remember("real_probe", way.value) },
+      ...ways.map((w) => option(w, w.replace("-", "\u2212"), w === remembered("real_probe", "Z-"))),
+    );
+    const most = field("real_probe_way", "20"),
+      feed = field("real_probe_feed", "50"),
+      number = (input: HTMLInputElement): number => Number(input.value.replace(",", ".")) || 0;
+    const go = (): void => {
+      const sign = way.value.endsWith("-") ? -1 : 1;
+      void this.operator.ask("probe", { axis: way.value.slice(0, -1), way: sign * number(most), feed: number(feed) });
+    };
+    return h(
+      "div",
+      { class: "row wrap" },
+      way,
+      h("label", { class: "field" }, h("span", null, t("real_probe_way")), most),
+      h("label", { class: "field" }, h("span", null, t("real_probe_feed")), feed),
+      button(t("real_probe_go"), go, { disabled: !may, "data-starts": "" }),
+    );
+  }
+
   draw(p: Panel): void {
     const { operator } = this,
       off = !this.jog.takes;
@@ -73,6 +109,7 @@ export class PanelHands {
         "aria-label": `${k.name} ${sign > 0 ? "+" : "−"}`,
         title: jog_title(k),
       });
+    const probe = p.real ? [h("h3", null, t("real_probe")), this.probe(p)] : [];
     const had_focus = document.activeElement === this.mdi.element.querySelector(".mdi");
     fill(
       this.element,
@@ -86,6 +123,7 @@ export class PanelHands {
         h("label", { class: "field" }, h("span", null, t("jog_feed")), feed, h("span", { class: "dim" }, t("mm_min"))),
       ),
       h("div", { class: "jog-keys" }, ...keys.flatMap((k) => [key(k, -1), key(k, 1)])),
+      ...probe,
     );
     if (had_focus) this.mdi.element.querySelector<HTMLInputElement>(".mdi")?.focus();
   }
