@@ -1,5 +1,5 @@
-// POCKET1 to POCKET4, CYCLE71, SLOT1 and LONGHOLE (spec/sinumerik 14.5). The manual does not document the path within a pocket: start
-// level, depths, walls and end point are those of the cycle, the path between is Kadr's own clearing. Used by control/sinumerik.
+// POCKET1 to POCKET4, CYCLE61, CYCLE71, SLOT1 and LONGHOLE (spec/sinumerik 14.5). The manual does not document the path within a pocket:
+// start level, depths, walls and end point are those of the cycle, the path between is Kadr's own clearing. Used by control/sinumerik.
 
 #include <algorithm>
 #include <cmath>
@@ -225,11 +225,22 @@ std::vector<Value> as_newer_pocket(const std::vector<Value>& old, bool rectangle
   return all;
 }
 
+/// Returns the parameters of CYCLE71 for those of CYCLE61, which mills the same face in the directions of the axes.
+std::vector<Value> as_face(const std::vector<Value>& given) {
+  const auto number = [&](std::size_t i) { return i < given.size() && !given[i].omitted ? given[i].number : 0.0; };
+  std::vector<Value> all;
+  for (std::size_t i = 0; i < 8; ++i) all.push_back(real(number(i)));  // RTP, Z0, SDIS, Z1, X0, Y0, LENG, WID
+  const bool has_kind = given.size() > 12 && !given[12].omitted;
+  for (const double each : {0.0, number(8), number(9), 0.0, number(10), number(11), has_kind ? number(12) : 31.0})
+    all.push_back(real(each));
+  return all;
+}
+
 }  // namespace
 
 bool Sinumerik::is_milling_cycle(std::string_view name) {
-  return name == "POCKET1" || name == "POCKET2" || name == "POCKET3" || name == "POCKET4" || name == "CYCLE71" || name == "SLOT1" ||
-         name == "LONGHOLE";
+  return name == "POCKET1" || name == "POCKET2" || name == "POCKET3" || name == "POCKET4" || name == "CYCLE71" || name == "CYCLE61" ||
+         name == "SLOT1" || name == "LONGHOLE";
 }
 
 Status Sinumerik::start_milling(Interpreter& m, const std::string& name, const std::vector<Value>& arguments, Span where) {
@@ -237,9 +248,13 @@ Status Sinumerik::start_milling(Interpreter& m, const std::string& name, const s
   for (const Value& each : arguments)
     if (!each.is_number()) return fail(alarm(AlarmId::operand_type, where, std::string_view(name)));
   const bool older = name == "POCKET1" || name == "POCKET2";
-  const std::vector<Value> newer = older ? as_newer_pocket(arguments, name == "POCKET1") : std::vector<Value>();
-  MillMaker maker(m, older ? newer : arguments, where);
-  KADR_TRY(maker.run(name == "POCKET1" ? "POCKET3" : name == "POCKET2" ? "POCKET4" : name));
+  const std::vector<Value> newer = older               ? as_newer_pocket(arguments, name == "POCKET1")
+                                   : name == "CYCLE61" ? as_face(arguments)
+                                                       : arguments;
+  const bool limited = name == "CYCLE61" && arguments.size() > 13 && arguments[13].number != 0;
+  if (limited) return fail(alarm(AlarmId::not_available, where, "CYCLE61 _LIM"));
+  MillMaker maker(m, newer, where);
+  KADR_TRY(maker.run(name == "POCKET1" ? "POCKET3" : name == "POCKET2" ? "POCKET4" : name == "CYCLE61" ? "CYCLE71" : name));
   m.running = std::make_unique<MillSteps>(std::move(maker.steps));
   return {};
 }
