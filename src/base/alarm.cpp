@@ -3,6 +3,8 @@
 #include "base/alarm.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 namespace kadr {
 namespace {
@@ -12,6 +14,15 @@ constexpr std::string_view names[] = {
     KADR_ALARMS(KADR_ALARM_NAME)
 #undef KADR_ALARM_NAME
 };
+
+/// The alarms in the alphabetical order of their names, so that a name is found by bisection.
+constexpr auto by_name = [] {
+  std::array<AlarmId, std::size(names)> ids{};
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<AlarmId>(i);
+  std::sort(ids.begin(), ids.end(),
+            [](AlarmId a, AlarmId b) { return names[static_cast<std::size_t>(a)] < names[static_cast<std::size_t>(b)]; });
+  return ids;
+}();
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
@@ -30,8 +41,9 @@ std::string_view name_of(Severity severity) {
 }
 
 AlarmId alarm_named(std::string_view name) {
-  const auto* found = std::find(std::begin(names), std::end(names), name);
-  return static_cast<AlarmId>(found - std::begin(names));
+  const auto* const found =
+      std::lower_bound(by_name.begin(), by_name.end(), name, [](AlarmId id, std::string_view wanted) { return name_of(id) < wanted; });
+  return found != by_name.end() && name_of(*found) == name ? *found : AlarmId::count;
 }
 
 AlarmArg::AlarmArg(std::string_view text) {

@@ -65,6 +65,12 @@ double MotionDialect::inch_feed(const BlockContext& m, const Motion& motion, con
   return feed_in_inches(m, motion, from);
 }
 ArcRule MotionDialect::arc_rule(const BlockContext& m) const { return m.plain_arc_rule(); }
+Result<PlaneArc> MotionDialect::arc_of_center(Emitter&, const ArcRule& rule, const ArcEnds& ends, Vec2 center) const {
+  return arc_around(ends.from, ends.to, center, ends.turn, rule.difference);
+}
+Result<PlaneArc> MotionDialect::arc_of_radius(Emitter&, const ArcRule& rule, const ArcEnds& ends, double radius) const {
+  return arc_by_radius(ends.from, ends.to, radius, ends.turn, rule.difference);
+}
 void MotionDialect::note_feed(BlockContext&) {}
 const WrittenFiles& ProgramDialect::files_written() const {
   static const WrittenFiles none;
@@ -84,6 +90,7 @@ std::unique_ptr<Dialect> make_iso_dialect() {
   struct Iso final : Dialect {
     bool drills_plainly() const override { return true; }
     bool lines_follow(const BlockContext&) const override { return true; }
+    bool contour_follows(const BlockContext& m) const override { return continues_contour(m.modal); }
   };
   return std::make_unique<Iso>();
 }

@@ -36,6 +36,10 @@ class SteppedCycle {
   virtual Result<bool> next(Emitter& m) = 0;
   /// Finishes the cycle after its last action. The function may make the program continue at another block.
   virtual Status finish(Interpreter& m) const;
+  /// Returns true if a next block that only states another position in the plane repeats the cycle there without any other change.
+  /// repeat_at() then makes the finished cycle such a cycle. `to`: position in the plane, programmed coordinates.
+  virtual bool repeats(const BlockContext&) const { return false; }
+  virtual void repeat_at(const Axes& /*to*/) {}
   /// Returns true if the other functions of the block are executed before the cycle continues (drilling, nct 18.0). If false, the functions
   /// that follow the motion wait until the cycle has ended.
   virtual bool functions_first() const { return false; }
@@ -109,14 +113,25 @@ class Emitter : public BlockContext {
   Status emit_machine_function(const Call& call);
   /// Emits the (MSG, …) comments of the block as messages.
   void show_messages();
+  /// Starts a cycle of the dialect. If the last one was of the same class, its memory is used again.
+  template <class Cycle, class... Arguments>
+  void start_cycle(Arguments&&... arguments) {
+    auto* const last = dynamic_cast<Cycle*>(finished.get());
+    if (last == nullptr) return void(running = std::make_unique<Cycle>(std::forward<Arguments>(arguments)...));
+    Cycle next(std::forward<Arguments>(arguments)...);
+    std::destroy_at(last);
+    std::construct_at(last, std::move(next));
+    running = std::move(finished);
+  }
   /// Returns true while a canned cycle of the block is being executed.
   bool cycling() const { return canned_cycle_run.active() || ellipse_run.active() || running != nullptr; }
 
   ActionBatch* batch = nullptr;
   CannedCycleRun canned_cycle_run;
   EllipseRun ellipse_run;
-  std::unique_ptr<SteppedCycle> running;  // the dialect's canned cycle that is being executed; nullptr if no such cycle is being executed
-  bool each_block = false;                // run() returns the actions of each block separately
+  std::unique_ptr<SteppedCycle> running;   // the dialect's canned cycle that is being executed; nullptr if no such cycle is being executed
+  std::unique_ptr<SteppedCycle> finished;  // the last cycle of the dialect that has ended; nullptr: none has ended
+  bool each_block = false;                 // run() returns the actions of each block separately
   // A function of the client, called by the interpreter at the start and at the end of each block; nullptr if nothing observes the blocks.
   std::function<void(const Origin&, bool)>* on_block = nullptr;
 

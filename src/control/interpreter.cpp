@@ -251,8 +251,8 @@ Status Interpreter::next_of_cycle() {
   const auto more = running->next(*this);
   if (!more) return fail(more.error());
   if (*more) return {};
-  const std::unique_ptr<SteppedCycle> over = std::move(running);
-  return over->finish(*this);
+  finished = std::move(running);
+  return finished->finish(*this);
 }
 
 void Interpreter::stop_cycles() {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "action/by_kind.h"
+#include "action/take_actions.h"
 #include "base/tolerance.h"
 #include "motion/time/estimate.h"
 #include "path/curve/machine_path.h"
@@ -27,6 +28,15 @@ double position_error(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end()) return found->second.position_error;
   return 0;
+}
+
+/// Returns true if a machine that never refuses a motion only has to update its position: no probe touches anything, and no safety zone
+/// changes. `has_zones`: other actions than motions may change the zones.
+bool only_moves(const ActionBatch& batch, bool has_zones) {
+  return std::all_of(batch.begin(), batch.end(), [&](const Action& action) {
+    const auto* const motion = motion_of(action);
+    return motion != nullptr ? motion->kind != MotionKind::probe : !has_zones;
+  });
 }
 
 }  // namespace
@@ -130,8 +140,15 @@ Status VirtualMachine::take(const Action& action) {
 VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows, const OnTouch& on_touch) {
   // Number of actions that belong to earlier blocks: short motions are stored so that they can be joined with later ones (path/smooth)
   const std::size_t of_before = compression_.take(batch, position_.work, follows == Follows::nothing);
-  ToolPosition before = position_;
   Outcome outcome;
+  if (hung_ == 0 && !has_limits() && only_moves(batch, zones_.has_value())) [[likely]] {
+    missing_ = 0;
+    gantry_moved_ = false;
+    take_actions(position_, batch.begin(), batch.end());
+    outcome.done = batch.size();
+    return outcome;
+  }
+  ToolPosition before = position_;
   for (Action& action : batch) {
     if (outcome.done == of_before) before = position_;
     Status status = execute(action, on_touch);

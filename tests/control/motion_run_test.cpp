@@ -29,7 +29,10 @@ Given run_as(const std::string& id, const std::string& program, const Setup& set
       if (const auto* const m = std::get_if<Motion>(&action.what))
         line += " " + std::to_string(m->join) + std::to_string(m->smoothing) + std::to_string(int(m->corner_speed)) +
                 std::to_string(m->in_position) + std::to_string(m->own_override) + std::to_string(m->inch) + std::to_string(m->system) +
-                std::to_string(int(m->along)) + std::to_string(m->detail != nullptr);
+                std::to_string(int(m->along)) + std::to_string(m->detail != nullptr) + " " + std::to_string(m->side) + " " +
+                std::to_string(m->tool_radius) + " " + std::to_string(m->radius_offset) + std::to_string(m->nose) +
+                std::to_string(int(m->side_step)) + std::to_string(int(m->join_corner)) + std::to_string(int(m->entry)) +
+                std::to_string(m->corner_first) + std::to_string(int(m->in_hole)) + std::to_string(m->of_cycle);
       given.actions.push_back(std::move(line));
     }
     if (state == Control::State::ended) break;
@@ -162,6 +165,46 @@ std::string program_of(const std::string& id, std::mt19937& choose) {
   return text;
 }
 
+/// Writes contours with cutter compensation, and holes of drilling cycles; now and then a line that ends or changes them.
+std::string contour_of(const std::string& id, std::mt19937& choose) {
+  const auto below = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(choose); };
+  static const std::map<std::string, std::string> begins{{"linuxcnc", "G41.1 D4"}, {"mach3", "G41 P2"}, {"s2c42", "G41 D01"}};
+  const auto own = begins.find(id);
+  const std::string begin = own == begins.end() ? "G41 D1" : own->second;
+  static const char* const changes[] = {"G40",    "G40 X1 Y9", "G91",   "G90",      "M3 S5",      "(c)",       "G18 G1 X5", "G17",
+                                        "G92 X3", "G0 X7",     "G55",   "G54",      "F70",        "G4 P1",     "G68 X0",    "G42",
+                                        "G38 X4", "G39",       "G9 X4", "X1 Y2 Z3", "G1 G17 X20", "G80",       "G98",       "G99",
+                                        "Z-6",    "R3",        "X5 L2", "G61",      "Z4 X8",      "G53 G0 X1", "G20",       "G21",
+                                        "G93 X1", "G94",       "G95",   "Q0.25",    "P0.5",       "G7 X",      "A5 X3",     "I1"};
+  static const char* const cycles[] = {"G81 X1 Y1 Z-5 R2 F100", "G82 X2 Z-5 R2 P0.1",    "G83 X3 Z-5 R2 Q1", "G73 X4 Z-5 R2 Q1.5",
+                                       "G84 X1 Z-5 R2 F100",    "G76 X1 Z-5 R2 I1 J1",   "G85 X1 Z-5 R2",    "G86 X1 Z-5 R2 P0",
+                                       "G81 X1 Z-5 R-9 F100",   "G89 X1 Y1 Z-5 R2 P0.1", "G81 X5 Z-8",       "G83 X3 Z-5"};
+  const bool drills = id != "s2c42" && id != "grbl" && below(3) == 0;
+  std::string text = id == "gost" || id == "correctors" || id == "s2c42" ? "%\n" : "";
+  std::size_t line = 0;
+  const auto add = [&](const std::string& words) {
+    text += (id == "s2c42" ? "N" + std::to_string(++line) + " " : std::string()) + words + "\n";
+  };
+  add(drills ? "M3 S500" : "G90 G17 G01 F100 X0 Y0");
+  if (!drills) add(begin + " G01 X10 Y5");
+  int x = 10, y = 5;
+  for (int i = 0; i < 60; ++i) {
+    const int r = 1 + below(6), right = below(2) == 0 ? 1 : -1;
+    const auto at = [](char letter, int value) { return " " + std::string(1, letter) + std::to_string(value); };
+    if (below(14) == 0) add(drills && below(2) == 0 ? cycles[below(int(std::size(cycles)))] : changes[below(int(std::size(changes)))]);
+    else if (below(40) == 0) add(begin + " G01 X1 Y2");
+    else if (drills && (i == 0 || below(12) == 0)) add(cycles[below(int(std::size(cycles)))]);
+    else if (drills) add("X" + std::to_string(below(90)) + (below(3) == 0 ? at('Y', below(90)) : ""));
+    else if (below(3) == 0)
+      add("G0" + std::to_string(2 + below(2)) + at('X', x += 2 * r * right) + at('Y', y) + at('I', r * right) + at('J', 0));
+    else if (below(4) == 0) add("G0" + std::to_string(2 + below(2)) + at('X', x += 3 * right) + at('Y', y += 4) + at('R', 5 * right));
+    else if (below(3) == 0) add("G01" + at('X', x += r) + (below(2) == 0 ? " F80" : ""));
+    else if (below(5) == 0) add("Z" + std::to_string(-r));
+    else add("G01" + at('X', x -= r) + at('Y', y += 2 * r));
+  }
+  return text;
+}
+
 /// Returns a loop of motions whose words are expressions, with other macro statements between them.
 std::string loop_of(std::mt19937& choose) {
   const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(choose); };
@@ -223,8 +266,8 @@ TEST_P(MotionRuns, are_the_general_way) {
   const auto setup = parse_setup("{" + axes + R"("start": {"X": 3, "Z": 50}, "offsets": {"1": {"length": 10, "radius": 2}}})");
   ASSERT_TRUE(setup) << setup.error();
   std::size_t motions = 0;
-  for (int i = 0; i < (macros ? 1200 : 600); ++i) {
-    const std::string program = i < 600 ? program_of(id, choose) : loop_of(choose);
+  for (int i = 0; i < (macros ? 1450 : 850); ++i) {
+    const std::string program = i < 600 ? program_of(id, choose) : i < 850 ? contour_of(id, choose) : loop_of(choose);
     const Given fast = run_as(id, program, *setup, false), general = run_as(id, program, *setup, true);
     motions += fast.actions.size();
     ASSERT_EQ(fast.alarms, general.alarms) << program;

@@ -17,10 +17,18 @@ struct PlaneArc {
   double turns = 0;  // swept angle in revolutions (degrees / 360), positive; 1 for a full circle
 };
 
+/// The ends of an arc in its plane, mm, and the direction of the motion.
+struct ArcEnds {
+  Vec2 from, to;
+  Turn turn = Turn::cw;
+};
+
 /// The rule by which a control reads the centre of an arc, and the inaccuracy that it accepts.
 struct ArcRule {
   // true: the centre depends only on the words of the block and on the modes; the fast path (block/motion_run) requires this
   bool by_words = false;
+  // true: an arc with the word R, without I, J and K, depends only on the words of the block and on the modes
+  bool radius_by_words = false;
   bool absolute = false;        // true: I, J, K are coordinates of the centre; false: distances from the start point
   bool lead_on_normal = false;  // the I, J or K of the axis normal to the plane is the lead of a helix, mm per revolution (2С42 6.6.6)
   double difference = 0;        // greatest allowed difference between the radii at the start and at the end, mm

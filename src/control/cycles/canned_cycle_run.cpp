@@ -24,6 +24,21 @@ void CannedCycleRun::start(const BlockContext& m, const Job& job) {
            m.modal.contour == CompensationPhase::off && m.modal.feeds_of_axes == 0;
 }
 
+bool CannedCycleRun::repeats(const BlockContext& m) const {
+  return plain_ && job_.holes == 1 && m.modal.absolute && (cycle_->needs & ~m.cycle_memory.known) == 0;
+}
+
+void CannedCycleRun::repeat_at(const BlockContext& m, const Axes& to) {
+  Job job = job_;
+  job.hole = to;
+  job.clear = clear_level(m, job);
+  start(m, job);
+}
+
+double CannedCycleRun::clear_level(const BlockContext& m, const Job& job) {
+  return m.modal.retract_initial ? std::max(m.position.programmed[job.drill], job.level) : job.level;
+}
+
 /// Executes a limited number of steps in each call, even if the steps emit no action. Between two calls the interpreter checks whether
 /// Ctrl-C has been pressed.
 Status CannedCycleRun::next(Emitter& m) {

@@ -42,6 +42,12 @@ class CannedCycleRun {
     bool pass_from_level = false;  // L83: the tool moves at rapid to the level where each peck begins
   };
   void start(const BlockContext& m, const Job& job);
+  /// Returns the coordinate on the drilling axis to which the tool retracts: the initial level, from which it comes, or R (G98, G99).
+  static double clear_level(const BlockContext& m, const Job& job);
+  /// Returns true if a next block that only states another position in the plane repeats the cycle there without any other change.
+  bool repeats(const BlockContext& m) const;
+  /// Starts the last cycle again. `to`: position in the plane, programmed coordinates.
+  void repeat_at(const BlockContext& m, const Axes& to);
 
   /// Emits the next actions: as many as fit into the batch, or only a few if run() returns the actions of each block separately.
   Status next(Emitter& m);

@@ -129,7 +129,8 @@ class Drilling {
     job.bottom = m_.modal.absolute ? memory_.bottom : job.level + memory_.bottom;
     if (job.level < job.bottom - tol::level)
       return fail(alarm(AlarmId::cycle_level, m_.has('R') ? m_.where('R') : call_.where, job.level, job.bottom));
-    job.clear = m_.modal.retract_initial ? std::max(here, job.level) : job.level;
+    job.drill = axes_.drill;
+    job.clear = CannedCycleRun::clear_level(m_, job);
     job.peck = memory_.peck;
     job.dwell = memory_.dwell;
     job.shift_first = memory_.i;

@@ -35,10 +35,18 @@ class MotionDialect {
   /// Returns true if a block that has only an end point, an arc centre and a feed may be executed like the block before it, without a
   /// second check of its words, of the modes and of the dialect's data. control/block/motion_run executes such blocks.
   virtual bool lines_follow(const BlockContext&) const { return false; }
+  /// Returns true if lines_follow() holds under cutter compensation too, because the contour has begun, and continues with the same tool,
+  /// on the same side, in the same plane.
+  virtual bool contour_follows(const BlockContext&) const { return false; }
   /// Returns the axes that are an exception from lines_follow(): a block that has a word of one of these axes is executed with all checks.
   virtual AxisMask rolling_axes(const BlockContext&) const { return 0; }
   /// Returns the rule by which arcs are computed in blocks for which lines_follow() holds.
   virtual ArcRule arc_rule(const BlockContext& m) const;
+  /// Returns the arc of a block for which lines_follow() holds, from its centre or from its word R (`radius`), with all checks that the
+  /// control makes of its geometry. All lengths are in mm. If the result is an alarm, the block is executed the general way, which reports
+  /// the alarm. arc_of_radius() is used only if ArcRule::radius_by_words is set.
+  virtual Result<PlaneArc> arc_of_center(Emitter& m, const ArcRule& rule, const ArcEnds& ends, Vec2 center) const;
+  virtual Result<PlaneArc> arc_of_radius(Emitter& m, const ArcRule& rule, const ArcEnds& ends, double radius) const;
   /// Scales the numbers of a block, as read, to the unit in which the control counts: F without a decimal point, values of expressions. The
   /// interpreter calls this function before it uses the numbers of a block for which lines_follow() holds.
   virtual void count_words(BlockContext&) const {}

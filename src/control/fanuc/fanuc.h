@@ -76,8 +76,11 @@ class Fanuc : public MacroB, public fanuc::Memory {
   Status arc(Emitter& m, const Call& call, Turn turn) override;
   Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMask named) override;
   bool lines_follow(const BlockContext& m) const override;
+  /// The compensation of this family is not in Modal::contour but in `state`.
+  bool contour_follows(const BlockContext&) const override { return state.compensates && !uncompensated; }
   AxisMask rolling_axes(const BlockContext& m) const override;
   ArcRule arc_rule(const BlockContext& m) const override;
+  Result<PlaneArc> arc_of_radius(Emitter& m, const ArcRule& rule, const ArcEnds& ends, double radius) const override;
   void count_words(BlockContext& m) const override;
   void note_line(BlockContext& m) override;
   void note_motion(Emitter& m, Motion& motion) override;

@@ -179,7 +179,7 @@ ArcRule BlockContext::plain_arc_rule() const {
   const bool as_distance = b.arc_centers == ArcCenters::as_distance, by_code = b.arc_centers == ArcCenters::by_code;
   const bool absolute = (as_distance && modal.absolute) || (by_code && modal.centers_absolute);
   const double difference = modal.inch && b.arc_difference_inch > 0 ? b.arc_difference_inch : b.arc_radius_difference;
-  return {true, absolute, b.helix_by_lead(), difference};
+  return {true, b.reads_arc_radius(), absolute, b.helix_by_lead(), difference};
 }
 
 Status Emitter::plain_arc(Turn turn, Span where) { return Circular(*this, turn).run(where); }

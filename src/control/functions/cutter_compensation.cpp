@@ -63,6 +63,14 @@ Vec2 vector_at_end(const Motion& motion, Vec2 delta) {
   return motion.side * radius * (along * left - motion.side * across * ahead);
 }
 
+/// Records the direction in which the tool is offset at the end of a motion of the contour, if the motion moves in the plane. For an arc,
+/// note_arc_end() does so when the centre of the arc is known.
+///   delta  travel in the plane, mm
+void note_line_end(BlockContext& m, const Motion& motion, Vec2 delta) {
+  const bool moves = m.def.behaviour.queues_compensation() ? !(delta == Vec2{}) : length(delta) > tol::same_point;
+  if (!is_arc(motion.kind) && moves) m.modal.compensation_vector = vector_at_end(motion, delta);
+}
+
 /// Handles a motion on a control that queues compensated motions (LinuxCNC). A motion along any axis starts or continues the contour. A
 /// motion after G40 moves straight to its programmed end point (spec/linuxcnc 7.5).
 void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
@@ -77,9 +85,7 @@ void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   if (modal.contour == CompensationPhase::on) motion.side_step = SideStep::begins;
   modal.contour = CompensationPhase::following;
   modal.compensation_axes = modal.axes;
-  const Vec2 delta = in_plane(m, motion.to) - in_plane(m, from);
-  // for an arc, note_arc_end() sets this vector when the centre of the arc is known
-  if (!is_arc(motion.kind) && !(delta == Vec2{})) modal.compensation_vector = vector_at_end(motion, delta);
+  note_line_end(m, motion, in_plane(m, motion.to) - in_plane(m, from));
 }
 
 }  // namespace
@@ -200,9 +206,17 @@ void note_compensation(Emitter& m, Motion& motion, const Axes& from) {
   } else {
     modal.contour = CompensationPhase::following;
   }
-  const Vec2 delta = in_plane(m, motion.to) - in_plane(m, from);
-  // for an arc, note_arc_end() sets this vector when the centre of the arc is known
-  if (!is_arc(motion.kind)) modal.compensation_vector = vector_at_end(motion, delta);
+  note_line_end(m, motion, in_plane(m, motion.to) - in_plane(m, from));
+}
+
+bool continues_contour(const Modal& modal) {
+  return modal.radius_side != 0 && modal.contour == CompensationPhase::following && modal.compensation_axes == modal.axes;
+}
+
+void continue_contour(BlockContext& m, const Motion& motion, Vec2 from) {
+  if (m.modal.contour != CompensationPhase::following) return;
+  if (is_arc(motion.kind)) note_arc_end(m, motion);
+  else note_line_end(m, motion, in_plane(m, motion.to) - from);
 }
 
 }  // namespace kadr

@@ -48,6 +48,14 @@ Status contour_allows_infeed(const BlockContext& m, Span where);
 ///   alarms  compensation_begins_in_arc, compensation_ends_in_arc
 Status check_arc_at_compensation_ends(const BlockContext& m, Span where, std::string_view code);
 
+/// Returns true if the contour has begun, and continues in the plane in force. Then a further motion has the same data of cutter
+/// compensation as the motion before, and continue_contour() updates Modal. For MotionDialect::contour_follows().
+bool continues_contour(const Modal& modal);
+
+/// Updates Modal after a motion for which continues_contour() was true.
+///   from  start of the motion in the plane, work coordinates
+void continue_contour(BlockContext& m, const Motion& motion, Vec2 from);
+
 /// Sets the data of cutter compensation (side, radius, type of corner) in a motion to be emitted, and updates Modal::contour.
 ///   from  start of the motion, work coordinates
 void note_compensation(Emitter& m, Motion& motion, const Axes& from);

@@ -79,8 +79,11 @@ Motion& Emitter::add_motion(MotionKind kind, AxisMask named) {
 void Emitter::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
   if (modal.inch || modal.contour != CompensationPhase::off || modal.feeds_of_axes != 0) moved_from = position.work;
   named = transform.moved_with(named);
-  for (std::size_t a = 0; a < axis_count; ++a)
-    if ((named >> a & 1u) != 0) position.work[a] = work[a];
+  const AxisMask own = named & ((AxisMask{1} << axis_count) - 1);
+  for (AxisMask rest = own; rest != 0; rest &= rest - 1) {
+    const auto a = static_cast<std::size_t>(__builtin_ctz(rest));
+    position.work[a] = work[a];
+  }
   if (!frames.is_plain()) {
     const Axes machine = frames.machine_of(position.work);
     const AxisMask moved = frames.moved_with(named);
@@ -94,8 +97,10 @@ void Emitter::move_to(const Axes& programmed, const Axes& work, AxisMask named) 
       return;
     }
   } else {
-    for (std::size_t a = 0; a < axis_count; ++a)
-      if ((named >> a & 1u) != 0) position.machine[a] = work[a] + frames.origin[a] + frames.length[a];
+    for (AxisMask rest = own; rest != 0; rest &= rest - 1) {
+      const auto a = static_cast<std::size_t>(__builtin_ctz(rest));
+      position.machine[a] = work[a] + frames.origin[a] + frames.length[a];
+    }
   }
   position.programmed = programmed;
 }

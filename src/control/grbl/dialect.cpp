@@ -160,7 +160,7 @@ void Grbl::note_line(BlockContext& m) { state.float32_state.note_line(m); }
 /// Returns the arc rule of the control's file with one change: each arc is checked separately, as in Grbl.
 ArcRule Grbl::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
-  rule.by_words = false;
+  rule.by_words = rule.radius_by_words = false;
   return rule;
 }
 

@@ -7,6 +7,7 @@
 #include "base/code_literals.h"
 #include "base/units.h"
 #include "base/vec.h"
+#include "control/functions/cutter_compensation.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/o_line_flow.h"
@@ -375,15 +376,19 @@ bool LinuxCnc::lines_follow(const BlockContext& m) const {
   return !turning && !has_rotary_rules(machine) && m.modal.feed_mode == FeedMode::per_minute;
 }
 
+bool LinuxCnc::contour_follows(const BlockContext& m) const { return continues_contour(m.modal); }
+
 void LinuxCnc::note_line(BlockContext& m) {
   state.motion = m.def.codes[static_cast<std::size_t>(m.modal.motion_row)].tenth;
   state.cycle_began = state.arc_not_allowed = false;
 }
 
-/// Returns the arc rule of the control's file with one change: each arc is checked separately, as in LinuxCNC.
+/// Returns the arc rule of the control's file with one change: arcs with absolute centres (G90.1) are executed the general way, because
+/// LinuxCNC then requires both words of the centre.
 ArcRule LinuxCnc::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
-  rule.by_words = false;
+  rule.by_words = !rule.absolute;
+  rule.radius_by_words = true;
   return rule;
 }
 

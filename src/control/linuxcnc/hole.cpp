@@ -31,6 +31,18 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     return done_ < h_.repeats;
   }
 
+  bool repeats(const BlockContext& m) const override {
+    const bool taps = h_.code == 84_g || h_.code == 74_g;
+    const bool warns = taps && h_.plane != Plane::xy;  // each block with such a cycle has its warning
+    return h_.fault == no_alarm && h_.repeats == 1 && !h_.polar && m.modal.absolute && !warns;
+  }
+  void repeat_at(const Axes& to) override {
+    h_.at_first = to[h_.first];
+    h_.at_second = to[h_.second];
+    done_ = 0;
+    in_hole_ = false;
+  }
+
  private:
   Status go_on(Emitter& m) {
     if (!in_hole_) return approach(m);
@@ -206,6 +218,6 @@ class Drilling final : public SteppedCycleValue<Drilling> {
 
 }  // namespace
 
-void begin_drilling(Emitter& m, const Hole& hole) { m.running = std::make_unique<Drilling>(hole); }
+void begin_drilling(Emitter& m, const Hole& hole) { m.start_cycle<Drilling>(hole); }
 
 }  // namespace kadr::linuxcnc

@@ -127,10 +127,13 @@ class LinuxCnc final : public Dialect {
   Status after_block(Interpreter& m) override;
   void undo_block(BlockContext& m) override;
   bool lines_follow(const BlockContext& m) const override;
+  bool contour_follows(const BlockContext& m) const override;
   // Words of axes that the machine lacks are an alarm, so their blocks are executed with all checks.
   AxisMask rolling_axes(const BlockContext&) const override { return ~axes; }
   void note_line(BlockContext& m) override;
   ArcRule arc_rule(const BlockContext& m) const override;
+  Result<PlaneArc> arc_of_center(Emitter& m, const ArcRule& rule, const ArcEnds& ends, Vec2 center) const override;
+  Result<PlaneArc> arc_of_radius(Emitter& m, const ArcRule& rule, const ArcEnds& ends, double radius) const override;
   Status arc(Emitter& m, const Call& call, Turn turn) override;
   bool shapes_lines(const BlockContext& m) const override;
   Status straight(Emitter& m, const Call& call, MotionKind kind) override;

@@ -91,20 +91,32 @@ class Arc {
   }
 
   Status by_radius(Vec2 from, Vec2 to, const Axes& end, AxisMask named) {
-    const double radius = m_.length_value('R'), half = length(to - from) / 2;
+    const double radius = m_.length_value('R');
     KADR_TRY(may_enter(from, to));
     if (enters() && std::fabs(radius) <= m_.radius_in_force() && (m_.modal.radius_side < 0) == (turn_ == Turn::ccw))
       return fail(alarm(AlarmId::arc_within_tool, call_.where));
-    if (from == to) return wrong("Current point same as end point of arc");
-    if (half - std::fabs(radius) > least_radius) return wrong("Arc radius too small to reach end point");
-    const double sign = radius < 0 ? -1 : 1;
-    const auto arc = arc_by_radius(from, to, sign * std::max(std::fabs(radius), half), turn_, 1e9);
+    const auto arc = of_radius(from, to, radius);
     if (!arc) return fail(arc.error());
     return emit_arc_motion(*arc, end, named);
   }
 
   Status about(Vec2 from, Vec2 to, Vec2 center, const Axes& end, AxisMask named) {
     KADR_TRY(may_enter(from, to));
+    const auto arc = of_center(from, to, center);
+    if (!arc) return fail(arc.error());
+    return emit_arc_motion(*arc, end, named);
+  }
+
+ public:
+  Result<PlaneArc> of_radius(Vec2 from, Vec2 to, double radius) const {
+    const double half = length(to - from) / 2;
+    if (from == to) return wrong("Current point same as end point of arc");
+    if (half - std::fabs(radius) > least_radius) return wrong("Arc radius too small to reach end point");
+    const double sign = radius < 0 ? -1 : 1;
+    return arc_by_radius(from, to, sign * std::max(std::fabs(radius), half), turn_, 1e9);
+  }
+
+  Result<PlaneArc> of_center(Vec2 from, Vec2 to, Vec2 center) const {
     const double unit = m_.modal.inch ? mm_per_inch : 1;
     const double r1 = length(from - center), r2 = length(to - center);
     const auto point = [&](Vec2 at) {
@@ -121,11 +133,10 @@ class Arc {
           fmt::format("Radius to end of arc differs from radius to start: start={} center={} end={} r1={:.4f} r2={:.4f} "
                       "abs_err={:.4g} rel_err={:.4f}%",
                       point(from), point(center), point(to), r1 / unit, r2 / unit, error / unit, relative * 100));
-    const auto arc = arc_around(from, to, center, turn_, 1e9);
-    if (!arc) return fail(arc.error());
-    return emit_arc_motion(*arc, end, named);
+    return arc_around(from, to, center, turn_, 1e9);
   }
 
+ private:
   Status emit_arc_motion(const PlaneArc& arc, const Axes& end, AxisMask named) {
     arc_motion(m_, arc, turn_, end, named, m_.has('P') ? std::round(m_.value('P')) - 1 : 0);
     return {};
@@ -159,6 +170,16 @@ Status arc_to(Emitter& m, Span where, Turn turn, const Axes& to, Vec2 center, Ax
 }
 
 Status LinuxCnc::arc(Emitter& m, const kadr::Call& call, Turn turn) { return Arc(m, call, turn).run(); }
+
+Result<PlaneArc> LinuxCnc::arc_of_center(Emitter& m, const ArcRule&, const ArcEnds& ends, Vec2 center) const {
+  const kadr::Call call{nullptr, nullptr, m.block->where};
+  return Arc(m, call, ends.turn).of_center(ends.from, ends.to, center);
+}
+
+Result<PlaneArc> LinuxCnc::arc_of_radius(Emitter& m, const ArcRule&, const ArcEnds& ends, double radius) const {
+  const kadr::Call call{nullptr, nullptr, m.block->where};
+  return Arc(m, call, ends.turn).of_radius(ends.from, ends.to, radius);
+}
 
 /// Writes a probed position to the file of probed points: X Y Z A B C U V W in the unit of the program. The coordinate of an axis that the
 /// machine lacks is 0 (spec/linuxcnc 2.4).

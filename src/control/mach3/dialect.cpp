@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "control/files/file_writer.h"
+#include "control/functions/cutter_compensation.h"
 #include "control/interpreter.h"
 
 namespace kadr::mach3 {
@@ -30,6 +31,7 @@ class Mach3 final : public Dialect {
                  .untouched = limits.untouched}) {}
 
   bool lines_follow(const BlockContext&) const override { return true; }
+  bool contour_follows(const BlockContext& m) const override { return continues_contour(m.modal); }
 
   void before_function(Emitter& m, Function function) override {
     if (function == Function::probe) begin_ = m.position.work;

@@ -7,6 +7,7 @@
 
 #include "control/dialect.h"
 
+#include "control/functions/cutter_compensation.h"
 #include "control/interpreter.h"
 
 namespace kadr::s2c42 {
@@ -99,6 +100,7 @@ class S2c42 final : public Dialect {
   }
 
   bool lines_follow(const BlockContext&) const override { return true; }
+  bool contour_follows(const BlockContext& m) const override { return continues_contour(m.modal); }
   void note_line(BlockContext& m) override {
     seen_.at_rest = m.modal.motion == MotionMode::rapid;
     seen_.moved = true;

@@ -310,7 +310,7 @@ void Sinumerik::note_line(BlockContext& m) {
 
 ArcRule Sinumerik::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
-  rule.by_words = false;
+  rule.by_words = rule.radius_by_words = false;
   return rule;
 }
 

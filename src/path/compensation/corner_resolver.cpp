@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "action/by_kind.h"
+#include "action/take_actions.h"
 #include "base/tolerance.h"
 #include "path/compensation/contour_motion.h"
 #include "path/curve/plane_shift.h"
@@ -68,13 +69,7 @@ std::size_t CornerResolver::untouched(const ActionBatch& batch, Follows follows)
 
 /// Updates the tool's position by the actions with the indices `from` to `end` − 1.
 void CornerResolver::follow(const ActionBatch& batch, std::size_t from, std::size_t end) {
-  const Motion* last = nullptr;
-  for (std::size_t i = from; i < end; ++i) {
-    const Action& action = batch.begin()[i];
-    if (const auto* const m = motion_of(action)) last = m;
-    else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) now_.at.take(*frame), last = nullptr;
-  }
-  if (last != nullptr) now_.at.take(*last);
+  take_actions(now_.at, batch.begin() + from, batch.begin() + end);
 }
 
 void CornerResolver::next(ActionBatch& batch, std::size_t place, Follows follows) {

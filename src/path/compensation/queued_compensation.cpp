@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "action/by_kind.h"
+#include "action/take_actions.h"
 
 namespace kadr {
 namespace {
@@ -47,7 +48,7 @@ std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Fo
       return m != nullptr && m->side != 0;
     });
     if (!any) {
-      for (const Action& action : batch) now_.at.take(action);
+      take_actions(now_.at, batch.begin(), batch.end());
       now_.stands = now_.at.work;
       return std::nullopt;
     }

@@ -7,6 +7,7 @@
 
 #include "action/by_kind.h"
 #include "action/curve.h"
+#include "action/take_actions.h"
 #include "path/compensation/nose_tip.h"
 
 namespace kadr {
@@ -55,7 +56,7 @@ std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bo
       else any = any || std::holds_alternative<CompensationCheck>(action.what);
     }
     if (!any) {
-      for (const Action& action : batch) now_.at.take(action);
+      take_actions(now_.at, batch.begin(), batch.end());
       now_.stand = now_.at;
       return std::nullopt;
     }

@@ -59,8 +59,8 @@ Status Fanuc::arc(Emitter& m, const Call& call, Turn turn) { return fanuc::arc(m
 
 bool Fanuc::lines_follow(const BlockContext& m) const {
   const bool counts_inches = m.modal.inch && !m.def.grammar.least_increments.empty();
-  const bool plain_motion = state.side_step == SideStep::none && !state.compensates && m.modal.smoothing < 2 && !drilling_on(m) &&
-                            following == 0 && spindle_axes.empty() && finishing.empty() && !watches_words(m);
+  const bool plain_motion = state.side_step == SideStep::none && state.compensates == (m.modal.radius_side != 0) && m.modal.smoothing < 2 &&
+                            !drilling_on(m) && following == 0 && spindle_axes.empty() && finishing.empty() && !watches_words(m);
   return !counts_inches && !m.modal.polar_data && plain_motion && words_follow();
 }
 
@@ -76,8 +76,12 @@ AxisMask Fanuc::rolling_axes(const BlockContext& m) const {
 /// Returns the rule for arcs that the fast code for simple blocks executes. I, J, K belong to X, Y, Z whichever axes the plane has (4.3),
 /// so arcs in a plane of other axes need the general code.
 ArcRule Fanuc::arc_rule(const BlockContext& m) const {
-  return {m.modal.axes == axes_of(m.modal.plane), settings.centers_absolute, false, settings.radius_difference,
-          m.def.behaviour.arc_angle_even};
+  const bool usual_axes = m.modal.axes == axes_of(m.modal.plane);
+  return {usual_axes, usual_axes, settings.centers_absolute, false, settings.radius_difference, m.def.behaviour.arc_angle_even};
+}
+
+Result<PlaneArc> Fanuc::arc_of_radius(Emitter&, const ArcRule&, const ArcEnds& ends, double radius) const {
+  return arc_by_short_radius(ends, radius, settings.radius_shortfall);
 }
 
 void Fanuc::count_words(BlockContext& m) const { count_increments(m); }

@@ -4,6 +4,7 @@
 #include "control/fanuc/drilling/drilling.h"
 
 #include <cmath>
+#include <utility>
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
@@ -91,7 +92,7 @@ class Drilling {
     KADR_TRY(m_.feed_known(call_.where));
     KADR_TRY(within_reach(job));
     macro_b_of(m_).moved = true;
-    m_.running = std::make_unique<DrillingRun>(job);
+    m_.start_cycle<DrillingRun>(std::move(job));
     return {};
   }
 

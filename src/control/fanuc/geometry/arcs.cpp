@@ -162,13 +162,7 @@ class Arc {
     const double most = fanuc_of(m_).settings.radius_shortfall;
     const Vec2 pole = placed_point({});
     if (polar_turns_ && std::fabs(length(from_ - pole) - std::fabs(radius)) <= most) return PlaneArc{pole, *polar_turns_};
-    const double half = length(to_ - from_) / 2, r = std::fabs(radius);
-    // 4.3: if R is too short, the centre is on the chord, at the distance R from the start point
-    if (r < half - tol::same_point) {
-      if (half * 2 - r - r > most) return placed(alarm(AlarmId::radius_too_small, {}, r, half));
-      return PlaneArc{from_ + (r / (2 * half)) * (to_ - from_), 0.5};
-    }
-    auto arc = arc_by_radius(from_, to_, radius, turn_, tol::same_point);
+    auto arc = arc_by_short_radius({from_, to_, turn_}, radius, most);
     if (!arc) return placed(arc.error());
     return arc;
   }
@@ -272,6 +266,15 @@ class Arc {
 };
 
 }  // namespace
+
+Result<PlaneArc> arc_by_short_radius(const ArcEnds& ends, double radius, double shortfall) {
+  const double half = length(ends.to - ends.from) / 2, r = std::fabs(radius);
+  if (r < half - tol::same_point) {
+    if (half * 2 - r - r > shortfall) return fail(alarm(AlarmId::radius_too_small, {}, r, half));
+    return PlaneArc{ends.from + (r / (2 * half)) * (ends.to - ends.from), 0.5};
+  }
+  return arc_by_radius(ends.from, ends.to, radius, ends.turn, tol::same_point);
+}
 
 Status arc(Emitter& m, const Call& call, Turn turn) { return Arc(m, call, turn).run(); }
 
