@@ -4,6 +4,8 @@
 #include "lang/block/plain_block.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <limits>
 
 #include "base/powers_of_ten.h"
@@ -22,6 +24,47 @@ bool looks_like_words(const AddressName& name) {
 
 /// Addresses of the blocks that need no lang/named: motions with their feed and speed. T, D, H, L, P, R depend on the control's state.
 constexpr std::string_view letters_of_plain_named_blocks = "ABCFGIJKMNSUVWXYZ";
+
+constexpr std::ptrdiff_t least_bytes = 8;  // length of the texts in which eight_bytes() may be used
+
+/// Returns the eight bytes from `at` on; the bytes from `end` on count as 0. There are at least eight bytes before `end`, and at != end.
+inline std::uint64_t eight_bytes(const char* at, const char* end) {
+  std::uint64_t bytes = 0;
+  const std::ptrdiff_t left = end - at;
+  std::memcpy(&bytes, left >= least_bytes ? at : end - least_bytes, sizeof bytes);
+  return left >= least_bytes ? bytes : bytes >> (8 * (least_bytes - left));
+}
+
+/// Reads a number of fewer than eight characters at once. `Digits`: PlainBlocks::Digits, which is private. Returns nullptr if the number
+/// may be longer. Works on bytes in little-endian order, in which the first character is the lowest byte. The digits are added up in pairs,
+/// then in fours, then in eights.
+template <class Digits>
+const char* short_number(const char* at, const char* end, Digits& digits) {
+  constexpr std::uint64_t every = 0x0101010101010101, high_bits = every * 0x80, beyond_nine = every * 0x76;
+  const std::uint64_t characters = eight_bytes(at, end) ^ every * std::uint64_t{'0'};  // the digits are now 0 to 9
+  const std::uint64_t others = ((characters + beyond_nine) | characters) & high_bits;  // exact up to the first character that is no digit
+  if (others == 0) return nullptr;
+  const auto whole = static_cast<unsigned>(__builtin_ctzll(others)) / 8;
+  unsigned count = whole, size = whole;
+  std::uint64_t sum = characters;
+  digits.whole = whole;
+  if ((characters >> 8 * whole & 0xFFU) == ('.' ^ '0')) {
+    const std::uint64_t further = others & (others - 1);
+    if (further == 0) return nullptr;
+    size = static_cast<unsigned>(__builtin_ctzll(further)) / 8;
+    count = size - 1;
+    const std::uint64_t before = (std::uint64_t{1} << 8 * whole) - 1;
+    sum = (characters & before) | (characters >> 8 & ~before);
+    digits.fraction = count - whole;
+    digits.has_point = true;
+  }
+  if (count == 0) return at + size;
+  sum <<= 64 - 8 * count;  // leading zeros
+  sum = sum * 2561 >> 8 & 0x00FF00FF00FF00FF;
+  sum = sum * 6553601 >> 16 & 0x0000FFFF0000FFFF;
+  digits.mantissa = sum * 42949672960001 >> 32;
+  return at + size;
+}
 
 }  // namespace
 
@@ -60,36 +103,7 @@ PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
   }
 }
 
-bool PlainBlocks::read(std::string_view text, std::size_t from, Block& block) const {
-  if (read_words(text, from, block)) return true;
-  block.has_number = false;
-  block.number_digits = 0;
-  block.number = block.word_count = 0;
-  block.letters = 0;
-  block.shape = {};
-  return false;
-}
-
-bool PlainBlocks::read_words(std::string_view text, std::size_t from, Block& block) const {
-  const char* const end = text.data() + text.size();
-  const char* at = text.data() + from;
-  block.text = text;
-  block.where = {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(text.size())};
-  while (at != end) {
-    switch (kinds_[static_cast<unsigned char>(*at)]) {
-      case Kind::blank: ++at; continue;
-      case Kind::block_number: at = block_number(at, end, block); break;
-      case Kind::word: at = word(at, end, block); break;
-      case Kind::other: return false;
-    }
-    if (at == nullptr) return false;
-  }
-  if (block.word_count == 0) return !block.has_number || grammar_.block_length == 0;
-  if (grammar_.block_number_required && !block.has_number) return false;
-  return grammar_.block_length == 0 || text.size() - from <= grammar_.block_length;
-}
-
-/// Reads digits with at most one decimal point among them. Returns a pointer to the character after the digits.
+/// Reads digits with at most one decimal point among them, character by character. Returns a pointer to the character after the digits.
 inline const char* PlainBlocks::digits_at(const char* at, const char* end, Digits& digits) {
   constexpr unsigned ten = 10;
   const auto digit = [](char c) { return static_cast<unsigned>(static_cast<unsigned char>(c)) - unsigned{'0'}; };
@@ -107,7 +121,7 @@ inline const char* PlainBlocks::digits_at(const char* at, const char* end, Digit
   return at;
 }
 
-const char* PlainBlocks::block_number(const char* at, const char* end, Block& block) const {
+inline const char* PlainBlocks::block_number(const char* at, const char* end, Block& block) const {
   const char* const begin = block.text.data();
   const WordFormat& format = grammar_.word('N');
   Digits digits;
@@ -123,7 +137,7 @@ const char* PlainBlocks::block_number(const char* at, const char* end, Block& bl
 }
 
 /// Reads the word that starts here, and returns a pointer to the character after it. Returns nullptr if the word is not plain, or faulty.
-const char* PlainBlocks::word(const char* at, const char* end, Block& block) const {
+[[gnu::always_inline]] inline const char* PlainBlocks::word(const char* at, const char* end, Block& block) const {
   const char* const begin = at;
   const char letter = letter_of(*at++);
   const auto address = static_cast<std::size_t>(letter - 'A');
@@ -131,7 +145,11 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
   const char sign = at != end && (*at == '-' || *at == '+') ? *at++ : '\0';
   if (sign != 0 && (format.code || !(format.sign || grammar_.custom_macros))) return nullptr;
   Digits digits;
-  at = digits_at(at, end, digits);
+  // The numbers of codes are so short that they are read as quickly digit by digit.
+  const bool at_once = std::endian::native == std::endian::little && !format.code && end - block.text.data() >= least_bytes && at != end;
+  const char* const after = at_once ? short_number(at, end, digits) : nullptr;
+  if (after == nullptr) digits = {};
+  at = after != nullptr ? after : digits_at(at, end, digits);
   if (digits.count() == 0 || digits.count() > most_digits_ || block.word_count == limits::block_words) return nullptr;
   const std::uint64_t bit = letter_bit(letter);
   if ((block.letters & bit) == 0) {
@@ -163,6 +181,35 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
   block.shape.add(letter, w.code);
   ++block.word_count;
   return at;
+}
+
+bool PlainBlocks::read(std::string_view text, std::size_t from, Block& block) const {
+  if (read_words(text, from, block)) return true;
+  block.has_number = false;
+  block.number_digits = 0;
+  block.number = block.word_count = 0;
+  block.letters = 0;
+  block.shape = {};
+  return false;
+}
+
+bool PlainBlocks::read_words(std::string_view text, std::size_t from, Block& block) const {
+  const char* const end = text.data() + text.size();
+  const char* at = text.data() + from;
+  block.text = text;
+  block.where = {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(text.size())};
+  while (at != end) {
+    switch (kinds_[static_cast<unsigned char>(*at)]) {
+      case Kind::blank: ++at; continue;
+      case Kind::block_number: at = block_number(at, end, block); break;
+      case Kind::word: at = word(at, end, block); break;
+      case Kind::other: return false;
+    }
+    if (at == nullptr) return false;
+  }
+  if (block.word_count == 0) return !block.has_number || grammar_.block_length == 0;
+  if (grammar_.block_number_required && !block.has_number) return false;
+  return grammar_.block_length == 0 || text.size() - from <= grammar_.block_length;
 }
 
 /// Returns true if the number of digits and the decimal point conform to the format.
