@@ -172,8 +172,7 @@ std::optional<bool> Calculation::execute(const Line& line) {
 }
 
 bool Calculation::call(Interpreter& m, const Call& of) {
-  std::vector<Value> arguments;
-  std::vector<std::shared_ptr<Variable>> references;
+  auto [arguments, references] = own_.empty_arguments();
   for (std::size_t i = 0; i < of.arguments.size(); ++i) {
     Number number;
     if (!value(of.arguments[i], number)) return false;

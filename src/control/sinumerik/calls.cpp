@@ -73,6 +73,39 @@ Status Sinumerik::call(Interpreter& m, const FoundProgram& found, const std::str
   return {};
 }
 
+/// Keeps the memory of the variables and arguments of a call that has ended. Variables that something else still refers to are left alone.
+void Sinumerik::keep_memory(Level& ended) {
+  constexpr std::size_t most_spare = 64;
+  while (!ended.variables.empty() && spare_variables_.size() < most_spare) {
+    auto node = ended.variables.extract(ended.variables.begin());
+    if (node.mapped().use_count() == 1) spare_variables_.push_back(std::move(node));
+  }
+  spare_arguments_ = {std::move(ended.arguments), std::move(ended.references)};
+  spare_arguments_.values.clear();
+  spare_arguments_.references.clear();
+}
+
+CallArguments Sinumerik::empty_arguments() { return std::exchange(spare_arguments_, {}); }
+
+/// Adds a variable without values to a level. It replaces a variable of the same name.
+Variable& Sinumerik::new_variable(Level& own, const std::string& name, Type type) {
+  if (spare_variables_.empty()) {
+    auto& made = own.variables[name] = std::make_shared<Variable>();
+    made->type = type;
+    return *made;
+  }
+  auto node = std::move(spare_variables_.back());
+  spare_variables_.pop_back();
+  node.key() = name;
+  Variable& again = *node.mapped();
+  again.type = type;
+  again.sizes.clear();
+  again.values.clear();
+  own.variables.erase(name);
+  own.variables.insert(std::move(node));
+  return again;
+}
+
 /// Executes PROC: makes the formal parameters, and assigns the arguments of the call (spec/sinumerik 9.2).
 Status Sinumerik::procedure(Interpreter& m, const NamedBlock& block) {
   Level& own = level();
@@ -93,13 +126,10 @@ Status Sinumerik::procedure(Interpreter& m, const NamedBlock& block) {
       own.variables[row.name] = reference;
       continue;
     }
-    auto made = std::make_shared<Variable>();
-    made->type = type;
     if (!row.sizes.empty()) {
       const auto whole = given && i < own.references.size() ? own.references[i] : nullptr;
       if (whole == nullptr || whole->type != type) return fail(alarm(AlarmId::argument_type, row.where, std::string_view(row.name)));
-      *made = *whole;
-      own.variables[row.name] = made;
+      new_variable(own, row.name, type) = *whole;
       continue;
     }
     Value value = initial_value(type);
@@ -110,8 +140,7 @@ Status Sinumerik::procedure(Interpreter& m, const NamedBlock& block) {
       if (!fits) return fail(alarm(AlarmId::argument_type, row.where, std::string_view(row.name)));
       value = *fits;
     }
-    made->values.push_back(value);
-    own.variables[row.name] = made;
+    new_variable(own, row.name, type).values.push_back(std::move(value));
   }
   for (const std::string& attribute : block.attributes)
     if (attribute == "SAVE") {
@@ -148,6 +177,7 @@ Status Sinumerik::leave(Interpreter& m, Span where) {
     return {};
   }
   memory.levels.pop_back();
+  keep_memory(ended);
   if (!ended.saved) return {};
   const Modal now = m.modal;
   m.modal = *ended.saved;
@@ -237,8 +267,7 @@ Status Sinumerik::call_item(Interpreter& m, const NamedBlock& block, const Named
       name = value->text;
     }
   }
-  std::vector<Value> arguments;
-  std::vector<std::shared_ptr<Variable>> references;
+  auto [arguments, references] = empty_arguments();
   for (const NamedExpression& each : item.arguments) {
     const bool single = each.end == each.begin + 1;
     const NamedStep& step = block.code[each.begin];

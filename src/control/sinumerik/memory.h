@@ -34,6 +34,12 @@ struct ModalCall {
   std::vector<Value> arguments;
 };
 
+/// The arguments of a call. `references`: for VAR, the caller's variables; nullptr: the argument is no variable.
+struct CallArguments {
+  std::vector<Value> values;
+  std::vector<std::shared_ptr<Variable>> references;
+};
+
 /// A program that is being executed: the main program, or a subprogram.
 struct Level {
   std::string name;

@@ -225,6 +225,9 @@ class Sinumerik final : public Dialect {
   Result<Value> read_system(BlockContext& m, const std::string& name, const std::vector<Value>& indices, Span where);
   Status write_system(Interpreter& m, const std::string& name, const std::vector<Value>& indices, const Value& value, Span where);
 
+  /// Returns empty lists for the arguments of a call, in the memory of those of a call that has ended.
+  CallArguments empty_arguments();
+
  private:
   friend class BlockRun;
   struct State;
@@ -239,6 +242,8 @@ class Sinumerik final : public Dialect {
   Result<bool> run_named(Interpreter& m);
   Result<bool> run_statement(Interpreter& m);
   bool put_macros(Block& block);
+  void keep_memory(Level& ended);
+  Variable& new_variable(Level& own, const std::string& name, Type type);
 
   void take_axes(Emitter& m, const Setup& setup);
   void load_definitions(BlockContext& m, const std::string& path);
@@ -250,6 +255,9 @@ class Sinumerik final : public Dialect {
   std::vector<std::unique_ptr<ProgramIndex>> indices_;                       // by file
   std::unordered_map<std::string, std::shared_ptr<const NamedBlock>> read_;  // blocks as read, by their text
   std::map<std::string, std::optional<FoundProgram>> found_;
+  // Memory of the variables and arguments of calls that have ended, which the next calls use again.
+  std::vector<Variables::node_type> spare_variables_;
+  CallArguments spare_arguments_;
   std::unique_ptr<Block> scratch_ = std::make_unique<Block>();
   Modes before_;
   std::vector<WrittenValue> written_;  // values that the block has replaced, in their order
