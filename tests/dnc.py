@@ -177,6 +177,29 @@ def check_a_server_stores_versions_and_answers_requests(kadr):
     expect(len(names) == 3 and names[0] == 'FLANGE.NC' and names[1].startswith('O1234.2'), f'{names}')
 
 
+def check_a_server_says_what_was_changed_at_the_control(kadr):
+    (kadr.folder / 'changed').mkdir()
+    control = Control()
+    process = start(kadr, 'serve', 'changed', '--control', 'fanuc', '--port', control.port, '--profile', 'fanuc-rs232', '--baud', '19200')
+    stored = kadr.folder / 'changed' / 'O0077.nc'
+    first = 'O0077\nN10 G21 G90 G54\nN20 G0 X1. Y1.\nN30 G1 X9. F200\nN40 M30\n'
+    for text in (first, first.replace('N30', '(SLOWER)\nN30'), first.replace('F200', 'F300'), first.replace('F200', 'F300').replace('X9.', 'X8.')):
+        began = control.got.count(even(DC1))
+        until(lambda n=began: control.got.count(even(DC1)) + control.got.count(DC1) > 0, 'DC1')
+        time.sleep(0.3)
+        control.punch(f'%\n{text}%\n')
+        until(lambda t=text: stored.exists() and stored.read_text() == f'%\n{t}%\n', 'the stored program')
+        time.sleep(1.2)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=harness.TIME_LIMIT_S)
+    control.end()
+    versions = err.split('another text than before')
+    expect(len(versions) == 4, err)
+    expect('equal' in versions[1] and 'F200' not in versions[1], f'a comment: {versions[1]}')
+    expect('F200' in versions[2] and 'F300' in versions[2], f'a feed: {versions[2]}')
+    expect('equal' not in versions[3] and '5 | 5' in versions[3], f'a way: {versions[3]}')
+
+
 def check_wrong_usage(kadr):
     kadr.file('p.nc', PROGRAM)
     expect(kadr.call('dnc', 'send', 'p.nc', '--port', '/dev/null', '--profile', 'none').returncode == 2, 'an unknown profile')

@@ -17,6 +17,7 @@
 #include "cli/options/command_parts.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
+#include "compare/comparison_text.h"
 #include "config/read_file.h"
 #include "drive/dnc/dnc_request.h"
 #include "drive/dnc/dnc_transfer.h"
@@ -179,6 +180,7 @@ class DncCommand {
   /// Stores a received program by its number. An older one with another text keeps its content under a name with its time.
   bool store(const drive::DncText& text) const {
     const fs::path file = fs::path(o_.file) / (drive::name_of_program(text.text) + ".nc");
+    fs::path kept;  // the version before; empty: there is none
     std::error_code error;
     if (fs::exists(file, error)) {
       const auto before = read_all(file.string(), most_program);
@@ -186,7 +188,7 @@ class DncCommand {
         write_message(translated(texts::drive_command::dnc_same, file.string()) + "\n");
         return true;
       }
-      const fs::path kept = version_of(file);
+      kept = version_of(file);
       fs::rename(file, kept, error);
       if (error) {
         complain(file.string() + ": " + error.message());
@@ -199,8 +201,36 @@ class DncCommand {
     to.close();
     if (!to) complain(translated(texts::drive_command::dnc_not_written, file.string()));
     else write_message(translated(texts::drive_command::dnc_stored, file.string()) + "\n");
+    if (to && !kept.empty() && !o_.unchecked) show_changes(kept, file);
     return static_cast<bool>(to);
   }
+
+  /// Opens a session of a stored program, and its job. Prints an error and returns nullptr if it cannot be executed.
+  std::unique_ptr<Session> session_of(const fs::path& file, std::optional<Job>& job) const {
+    Options of_program = o_.run;
+    of_program.programs = {file.string()};
+    job = make_job(of_program, file.string());
+    auto program = job ? open_program(*job) : std::nullopt;
+    return program ? make_session(*job, std::move(*program), o_.run.limits) : nullptr;
+  }
+
+  /// Executes both versions of a program and prints what the operator has changed at the control: not the texts, but what the machine does.
+  void show_changes(const fs::path& before, const fs::path& now) const {
+    constexpr std::size_t most_shown = 5;
+    std::optional<Job> job_a, job_b;
+    auto a = session_of(before, job_a), b = a ? session_of(now, job_b) : nullptr;
+    if (!b || a->channels().size() != 1 || b->channels().size() != 1) return;
+    CompareRules rules;
+    rules.same_control = true;
+    rules.max_reported = most_shown;
+    rules.stop = o_.run.limits.stop;
+    const Comparison made = compare_sessions(std::move(a), std::move(b), rules);
+    const Lang lang = language(o_.run);
+    for (const CourseDifference& d : made.differences)
+      write_message(fmt::format("  {} | {}: {}\n", d.a.origin.line, d.b.origin.line, sentence_of(d, lang)));
+    write_message("  " + summary_of(made, lang) + "\n");
+  }
+
   /// Returns a name that no file has yet: O1.20261130-081502.nc, and with a number if several come in a second.
   static fs::path version_of(const fs::path& file) {
     const auto time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
