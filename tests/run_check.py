@@ -42,6 +42,15 @@ def check_which_files_are_programs(kadr):
     expect('notes.txt: unknown' in err, f'notes.txt is not told: {err}')
 
 
+def check_names_that_others_use(kadr):
+    """PLATE.H is a conversational program by its text, lib.h a header of C."""
+    kadr.file('PLATE.H', '0 BEGIN PGM PLATE MM\n1 TOOL CALL 1 Z S2000\n2 L Z+100 R0 FMAX M3\n3 ; Retract far enough for the chips to fall\n4 L Z+2 F500 M30\n'
+              '5 END PGM PLATE MM\n')
+    kadr.file('lib.h', '#pragma once\n// A header of C.\n#include <string.h>\nint f(int x);\nint g(int y);\n')
+    out, err = kadr.check('.')
+    expect(out == '1 program checked: 0 errors, 0 warnings.\n' and 'lib.h' not in err, f'{out} {err}')
+
+
 def check_exclude(kadr):
     for name in ('a.nc', 'old/b.nc', 'x/old/c.nc', 'd.bak.nc'):
         kadr.file(name)

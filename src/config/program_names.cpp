@@ -31,6 +31,7 @@ std::string ending_of(std::string_view name) {
 NameVerdict judge_name(std::string_view name) {
   const std::string ending = ending_of(name);
   if (std::all_of(ending.begin(), ending.end(), is_digit)) return NameVerdict::nothing;
+  if (ending == "h") return NameVerdict::nothing;  // a conversational program, or a header of C
   return std::find(std::begin(program_endings), std::end(program_endings), ending) == std::end(program_endings) ? NameVerdict::other
                                                                                                                 : NameVerdict::program;
 }

@@ -6,8 +6,8 @@
 
 namespace kadr {
 
-/// The result of judging a file by its name. nothing: the name has no ending, or a number as ending (O1001, 1.001), so the contents of the
-/// file must decide.
+/// The result of judging a file by its name. nothing: the name has no ending, a number as ending, or one that others use too (O1001, 1.001,
+/// PLATE.H), so the contents of the file must decide.
 enum class NameVerdict { program, nothing, other };
 NameVerdict judge_name(std::string_view name);
 

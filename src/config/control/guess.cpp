@@ -250,6 +250,8 @@ bool has_names(const GuessLine& line) {
 }  // namespace
 
 bool is_program_text(std::string_view bytes) {
+  const std::string_view first_line = bytes.substr(0, bytes.find_first_of("\r\n"));
+  if (first_line.find("BEGIN PGM ") != std::string_view::npos) return true;  // long texts of cycles look like prose
   std::string text;
   const auto encoding = detect_encoding(bytes);
   if (encoding) (void)append_utf8(bytes, *encoding, text);
