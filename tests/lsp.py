@@ -401,8 +401,9 @@ def check_outline(kadr):
     editor.open(FANUC)
     editor.findings()
     symbols = editor.of('documentSymbol')
-    expect([s['name'] for s in symbols] == ['O1', 'O200'], f'{symbols}')
+    expect([s['name'] for s in symbols] == ['O1 PLATE', 'O200'], f'{symbols}')
     expect([s['name'] for s in symbols[0]['children']] == ['T1 FACE MILL'], f'{symbols[0]["children"]}')
+    expect([s['name'] for s in symbols[0]['children'][0]['children']] == ['G81'], f'{symbols[0]["children"][0]["children"]}')
     found = editor.ask('workspace/symbol', {'query': '200'})['result']
     expect([one['name'] for one in found] == ['O200'], f'{found}')
     folds = [(f['startLine'], f['endLine']) for f in editor.of('foldingRange')]
@@ -626,7 +627,7 @@ def check_simple_editors(kadr):
     editor.open(FANUC)
     editor.findings()
     symbols = editor.of('documentSymbol')
-    expect([s['name'] for s in symbols] == ['O1', 'T1 FACE MILL', 'O200'] and symbols[1]['containerName'] == 'O1' and 'location' in symbols[0], f'{symbols}')
+    expect([s['name'] for s in symbols] == ['O1 PLATE', 'T1 FACE MILL', 'G81', 'O200'] and symbols[1]['containerName'] == 'O1 PLATE' and 'location' in symbols[0], f'{symbols}')
     contents = editor.at('hover', 11, 1)['contents']
     expect(contents['kind'] == 'plaintext' and '`' not in contents['value'], f'{contents}')
     editor.change(FANUC.replace('(FACE MILL)', '(FACE MILL'), 2)

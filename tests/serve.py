@@ -264,6 +264,7 @@ def texts(server):
     expect([w['code'] for w in page.ask('explain', line=1, text='G83 Z-5 R2 Q1')['words']] == ['G83', 'Z', 'R', 'Q'], 'explain: the text of the editor')
     expect(page.ask('explain', line=99)['words'] == [] and page.ask('explain', wrong=True, line=-1)['words'] == [], 'explain: no such line')
     expect(len(page.ask('explain', line=1, text='X1' * 500_000)['words']) <= 500, 'explain: a line without end')
+    expect(page.ask('outline')['entries'][0]['kind'] == 'program', 'outline: more in serve_outline.py')
     fixes = [p.get('fix') for p in page.ask('check', text='G21 G90\nG1 X1 X2 F100\nM30\n')['problems']]
     expect(len(fixes) == 1 and fixes[0] and fixes[0]['line'] == 2 and fixes[0]['insert'] == '' and 'X2' in fixes[0]['text'], 'a quick fix')
     read = page.ask('read', file='other.nc')

@@ -1,39 +1,16 @@
 #pragma once
-// DocumentNames: the places of a document at which a program names something: block numbers, programs, labels, variables, tools. The places
-// are found in the text alone, line by line, so that after a change only the changed lines are read again.
-//
-//   N10 G0 X0          block 10 is defined
-//   M98 P200           program 200 is referred to
-//   #101 = #100 + 1    variable 101 is defined, variable 100 is referred to
+// DocumentNames: the places of a document at which a program names something (view/structure/line_names.h). After a change only the changed
+// lines are read again.
 
-#include <cstdint>
 #include <memory>
-#include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "config/control/control_def.h"
 #include "lsp/text_document.h"
+#include "view/structure/line_names.h"
 
 namespace kadr {
-
-enum class NameKind : std::uint8_t {
-  block,     // a block number: N10, GOTO 10, G71 P10 Q20
-  program,   // a program or subprogram: O200, M98 P200; PROC PART, PART(5)
-  label,     // a label of LinuxCNC: O<name>, O100
-  variable,  // #100, #<name>
-  tool,      // T3
-  heading,   // a comment that is alone in its line
-  opens,     // the first line of a loop, a condition or a subprogram; the name is equal in its first and last line
-  closes     // its last line
-};
-
-struct NamedPlace {
-  NameKind kind = NameKind::block;
-  bool defines = false;  // true: the place gives the name its meaning or its value
-  Span where;            // bytes of the line: for a reference, the number or name alone, without its address
-  std::string name;      // in a form that is equal for all spellings: "10" for N010, "<depth>" for #<Depth>
-};
 
 class DocumentNames {
  public:
@@ -43,6 +20,7 @@ class DocumentNames {
   void read(const TextDocument& document);
   void update(const TextDocument& document, const TextDocument::ChangedLines& changed);
 
+  const ControlDef& control() const { return *def_; }
   std::size_t lines() const { return lines_.size(); }
   const std::vector<NamedPlace>& line(std::size_t number) const { return lines_[number]; }
   /// Returns the place at a byte of a line; nullptr if there is none.
@@ -59,8 +37,6 @@ class DocumentNames {
   std::vector<Found> all_of(std::size_t line, const NamedPlace& place) const;
 
  private:
-  std::vector<NamedPlace> names_of(std::string_view line) const;
-
   std::shared_ptr<const ControlDef> def_;
   std::vector<std::vector<NamedPlace>> lines_;
 };

@@ -63,7 +63,13 @@ std::optional<Token> token_of(const NamedPlace& place, std::string_view line) {
     case NameKind::tool:
     case NameKind::heading:
     case NameKind::opens:
-    case NameKind::closes: break;
+    case NameKind::closes:
+    case NameKind::section:
+    case NameKind::cycle:
+    case NameKind::no_cycle:
+    case NameKind::remark:
+    case NameKind::change:
+    case NameKind::mark: break;
   }
   return std::nullopt;
 }

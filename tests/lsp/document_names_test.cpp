@@ -17,7 +17,8 @@ std::string names_of(const std::string& id, const std::string& text) {
   const TextDocument document(text, ColumnUnit::utf8);
   DocumentNames names(control(id));
   names.read(document);
-  constexpr std::array kinds = {"N", "O", "label", "#", "T", "heading", "opens", "closes"};
+  constexpr std::array kinds = {"N",      "O",       "label", "#",        "T",      "heading", "opens",
+                                "closes", "section", "cycle", "no_cycle", "remark", "change",  "mark"};
   std::string all;
   for (std::size_t n = 0; n < names.lines(); ++n)
     for (const NamedPlace& place : names.line(n))
@@ -27,7 +28,8 @@ std::string names_of(const std::string& id, const std::string& text) {
 
 TEST(DocumentNames, FindsBlocksProgramsAndVariables) {
   EXPECT_EQ(names_of("fanuc", "O0200\nN010 T3 M6\nM98 P300\n#101=#7+1\nIF[#101GT5]GOTO 10\nM99 P010\nWHILE[#1LT2]DO1\nEND1\n(TOP SIDE)"),
-            "0 O 200*\n1 N 10*\n1 T 3\n2 O 300\n3 # 101*\n3 # 7\n4 N 10\n4 # 101\n5 N 10\n6 opens do1\n6 # 1\n7 closes do1\n8 heading TOP "
+            "0 O 200*\n1 N 10*\n1 change \n1 T 3\n2 O 300\n3 # 101*\n3 # 7\n4 N 10\n4 # 101\n5 N 10\n6 opens do1\n6 # 1\n7 closes do1\n8 "
+            "heading TOP "
             "SIDE\n");
 }
 
@@ -39,7 +41,7 @@ TEST(DocumentNames, FindsLabelsAndNamedVariablesOfLinuxCnc) {
 TEST(DocumentNames, FindsProgramsOfSinumerik) {
   EXPECT_EQ(
       names_of("sinumerik", "%_N_MAIN_MPF\nPART(5)\nSTOPRE\nN10 MCALL Part\nL10 P2\nEXTCALL \"part\"\nX1=5\nPROC PART(REAL A)\nG1 X1\n"),
-      "0 O main*\n1 O part\n3 N 10*\n3 O part\n4 O l10\n5 O part\n7 O part*\n");
+      "0 O main*\n1 O part\n3 N 10*\n3 O part\n3 no_cycle \n4 O l10\n5 O part\n7 O part*\n");
 }
 
 TEST(DocumentNames, FindsNamesOfConversationalBlocks) {
@@ -47,9 +49,10 @@ TEST(DocumentNames, FindsNamesOfConversationalBlocks) {
       names_of("heidenhain",
                "0 BEGIN PGM PLATE MM\n1 TOOL CALL 5 Z S2000\n2 LBL 07\n3 Q1 = Q1 + QL2 ; Q9\n4 CALL LBL 7 REP 2\n5 FN 9: IF +Q1 EQU +3 "
                "GOTO LBL \"End\"\n6 CALL PGM TNC:\\PARTS\\Hole.H\n7 LBL 0\n* - Outline\n"),
-      "0 N 0*\n0 O plate*\n1 N 1*\n1 T 5\n2 N 2*\n2 label 7*\n3 N 3*\n3 # q1*\n3 # q1\n3 # ql2\n4 N 4*\n4 label 7\n5 N 5*\n5 label End\n5 "
+      "0 N 0*\n0 O plate*\n1 N 1*\n1 T 5\n2 N 2*\n2 label 7*\n3 N 3*\n3 remark Q9\n3 # q1*\n3 # q1\n3 # ql2\n4 N 4*\n4 label 7\n5 N 5*\n5 "
+      "label End\n5 "
       "# q1\n6 N 6*\n6 "
-      "O hole\n7 N 7*\n8 heading Outline\n");
+      "O hole\n7 N 7*\n8 section Outline\n");
 }
 
 TEST(DocumentNames, KeepsBlockNumbersOfProgramsApart) {

@@ -28,6 +28,7 @@ import { lathe_steps } from "./lathe_steps.mjs";
 import { list_steps } from "./list_steps.mjs";
 import { operator_day } from "./operator_day.mjs";
 import { operator_steps } from "./operator_steps.mjs";
+import { outline_steps } from "./outline_steps.mjs";
 import { picture_steps } from "./picture_steps.mjs";
 import { server } from "./server.mjs";
 import { text_steps } from "./text_steps.mjs";
@@ -69,7 +70,7 @@ const group_names = [
 const groups = {
   view: { ...program_steps(place), ...rotary_steps({ kadr, page, pictures, only }) },
   files: file_steps(place),
-  text: { ...text_steps(place), ...edit_steps(place) },
+  text: { ...text_steps(place), ...edit_steps(place), ...outline_steps(place) },
   figures: { ...figure_steps(place), ...lathe_steps(place) },
   setup: setup_steps(place),
   panel: {

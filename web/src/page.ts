@@ -11,6 +11,7 @@ import type { Problem } from "./protocol/types";
 import type { SceneBox } from "./scene/scene";
 import { of_program } from "./source/problems_of";
 import { SetupPanel } from "./setup/setup_panel";
+import { OutlinePane } from "./source/outline_pane";
 import { SourcePane } from "./source/pane";
 import { editor_view } from "./source/editor";
 import { apply_fix } from "./source/problems";
@@ -65,6 +66,7 @@ const source = new SourcePane(app, (line, file) => void go_to_line(line, file), 
   fix: apply_fix,
   save_as: () => files.save_as(),
 });
+new OutlinePane(app, source);
 const state = new StatePane(app, (line, file) => void go_to_line(line, file));
 const problems = new ProblemsPanel(app, jump_to, (fix) => source.fix(fix));
 const cut = new CutPanel(

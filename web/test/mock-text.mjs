@@ -41,6 +41,20 @@ export const text_answers = (s) => ({
       text: s.lang === "ru" ? "Что оно значит на этом УЧПУ" : "What it means on this control",
     })),
   }),
+  outline: (q) => {
+    const lines = (q.text ?? "").split("\n"),
+      tools = lines.flatMap((l, i) => (/\bT(\d+)/.test(l) ? [{ name: `T${/\bT(\d+)/.exec(l)[1]}`, line: i + 1 }] : []));
+    const entries = tools.map((tool, i) => ({
+      kind: "tool",
+      ...tool,
+      last: (tools[i + 1]?.line ?? lines.length + 1) - 1,
+      depth: 1,
+    }));
+    return {
+      entries: [{ kind: "program", name: "O1", line: 1, last: lines.length, depth: 0 }, ...entries],
+      more: false,
+    };
+  },
   compare: () => {
     const spot = { line: 9, file: 0, number: 8, at: 1, to_line: 10, to_number: 9, to_at: 2 };
     const d = { kind: "way", text: "another way, up to 2 mm apart", distance: 2, a: spot, b: spot };

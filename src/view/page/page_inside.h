@@ -87,6 +87,8 @@ struct PageSession::Inside {
   // ---- requests that are answered in page_check.cpp
   Answer check(const PageJson& question);
   Answer explain(const PageJson& question);
+  // ---- requests that are answered in page_outline.cpp
+  Answer outline(const PageJson& question);
   // ---- requests that are answered in page_part.cpp
   Answer cut(const PageJson& question);
   Answer part(const PageJson& question);

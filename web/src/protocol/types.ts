@@ -36,6 +36,7 @@ import type {
   OpenQuestion,
   RealQuestion,
   Opened,
+  Outline,
   Passes,
   Problem,
   Progress,
@@ -61,6 +62,7 @@ export interface Questions extends FileQuestions {
   passes: [{ line: number; file?: number }, Passes];
   check: [{ text: string }, Checked];
   explain: [{ line: number; text?: string }, Explained];
+  outline: [{ text?: string }, Outline];
   cut: [CutQuestion, object];
   part: [{ at: number }, PartAnswer];
   proposals: [{ tools?: string }, Proposals];

@@ -24,6 +24,8 @@ import { problem_marks, watch_problems } from "./problems";
 
 export interface SourceView {
   show_line(line: number, beside?: string): void;
+  /// Puts the cursor into a line, as a click there does.
+  go_to(line: number): void;
   focus(): void;
   close(): void;
   readonly editor?: EditorView;
@@ -156,6 +158,11 @@ export function editor_view(
       const at = start_of(view.state, line);
       view.dispatch({ effects: set_running.of({ line, beside }) });
       if (at >= 0 && !seen(view, at)) scroll_to_running(view);
+    },
+    go_to(line) {
+      const at = start_of(view.state, line),
+        effects = EditorView.scrollIntoView(at, { y: "center" });
+      if (at >= 0) view.dispatch({ selection: { anchor: at }, effects, userEvent: "select" });
     },
     take: (text) => take_text(view, text),
     insert: (lines) => {

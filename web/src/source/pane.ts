@@ -1,6 +1,7 @@
 // The source pane: the editor, or the virtual view of a long file or of a called file; line and slider follow each
 // other.
 import type { App } from "../model/app";
+import { Signal } from "../model/signal";
 import { t, on_language } from "../texts/texts";
 import { button, fill, h } from "../ui/dom";
 import { save } from "../ui/save";
@@ -24,6 +25,9 @@ export class SourcePane {
   private title = h("span", { class: "pane-title" });
   private tools = h("span", { class: "pane-tools" });
   private host = h("div", { class: "source-host" });
+  readonly body = h("div", { class: "source-body" }, this.host); // the text and what stands next to it
+  readonly on_view = new Signal<SourceView>(); // another text is shown
+  readonly on_cursor = new Signal<number>(); // the user has picked a line of the program
   private view: SourceView | null = null;
   private shown_file = 0;
   private name = "";
@@ -34,7 +38,7 @@ export class SourcePane {
     private picked: (line: number, file: number) => void,
     private editing: Editing | null = null,
   ) {
-    this.element.append(h("header", { class: "pane-head" }, this.title, this.tools), this.host);
+    this.element.append(h("header", { class: "pane-head" }, this.title, this.tools), this.body);
     app.on_opened.on(() => this.show_program());
     app.on_dirty.on(() => this.head());
     app.on_state.on((s) => {
@@ -50,6 +54,12 @@ export class SourcePane {
   show(line: number): void {
     if (this.shown_file !== 0) this.show_file(0, "");
     this.view?.show_line(line);
+  }
+  /// Puts the cursor into a line of the program, as a click there does.
+  go_to(line: number, focus: boolean): void {
+    if (this.shown_file !== 0) this.show_file(0, "");
+    this.view?.go_to(line);
+    if (focus) this.view?.focus();
   }
   /// Shows the program as a machine runs it, if it differs from the editor's text; null: removes it.
   show_machine(text: string | null): void {
@@ -103,7 +113,7 @@ export class SourcePane {
   }
   /// Places a message between the title and the text.
   tell_above(notice: HTMLElement): void {
-    this.host.before(notice);
+    this.body.before(notice);
   }
   fix(fix: Fix): void {
     if (this.view?.editor) {
@@ -129,7 +139,10 @@ export class SourcePane {
 
   private show_file(file: number, name: string): void {
     const { app } = this;
-    const picked = (line: number): void => this.picked(line, file);
+    const picked = (line: number): void => {
+      this.picked(line, file);
+      if (file === 0) this.on_cursor.emit(line);
+    };
     this.replace_view(file, () => {
       if (file === 0 && app.text !== null && this.editing)
         return this.editing.view(app, this.host, app.text, picked, () => void save(app), this.editing.save_as);
@@ -148,6 +161,7 @@ export class SourcePane {
     this.host.replaceChildren();
     this.shown_file = file;
     this.view = made();
+    this.on_view.emit(this.view);
   }
 
   private async explained(line: number, text: string): Promise<string> {

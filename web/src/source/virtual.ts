@@ -146,6 +146,7 @@ export function virtual_view(
       running = line;
       go(map.top_showing(line, top));
     },
+    go_to: move,
     focus: () => box.focus(),
     close: () => {
       watch.disconnect();

@@ -18,6 +18,7 @@ import "./operator_readout.css";
 import "./operator_manual.css";
 import "./view.css";
 import "./code.css";
+import "./outline.css";
 import "./making.css";
 import "./edit.css";
 import "./print.css";

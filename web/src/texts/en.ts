@@ -7,6 +7,7 @@ import { empty_en } from "./en/empty";
 import { files_en } from "./en/files";
 import { making_en } from "./en/making";
 import { operator_en } from "./en/operator";
+import { outline_en } from "./en/outline";
 import { panel_en } from "./en/panel";
 import { report_en } from "./en/report";
 import { restart_en } from "./en/restart";
@@ -26,6 +27,7 @@ export const en = {
   ...tables_en,
   ...setup_en,
   ...restart_en,
+  ...outline_en,
   ...panel_en,
   ...operator_en,
   ...files_en,

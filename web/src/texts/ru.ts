@@ -7,6 +7,7 @@ import { empty_ru } from "./ru/empty";
 import { files_ru } from "./ru/files";
 import { making_ru } from "./ru/making";
 import { operator_ru } from "./ru/operator";
+import { outline_ru } from "./ru/outline";
 import { panel_ru } from "./ru/panel";
 import { report_ru } from "./ru/report";
 import { restart_ru } from "./ru/restart";
@@ -27,6 +28,7 @@ export const ru: Record<TextKey, string> = {
   ...tables_ru,
   ...setup_ru,
   ...restart_ru,
+  ...outline_ru,
   ...panel_ru,
   ...operator_ru,
   ...files_ru,

@@ -162,6 +162,21 @@ export interface Passes {
   count: number;
 }
 
+export type OutlineKind = "program" | "subprogram" | "tool" | "cycle" | "label" | "section";
+/// `depth` 0 for a program of the file; the entries inside follow it. `title` says what a cycle does.
+export interface OutlineEntry {
+  kind: OutlineKind;
+  name: string;
+  title?: string;
+  line: number;
+  last: number;
+  depth: number;
+}
+export interface Outline {
+  entries: OutlineEntry[];
+  more: boolean;
+}
+
 export type MarkKind = "tool" | "alarm" | "warning" | "stop" | "optional_stop" | "message" | "zero" | "dwell" | "end";
 export interface Mark {
   at: number;

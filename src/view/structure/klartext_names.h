@@ -1,10 +1,11 @@
 #pragma once
-// The names of a conversational block (spec/heidenhain 2.4, 9, 10): labels, programs, tools, Q parameters. Used by lsp/document_names.
+// The names of a conversational block (spec/heidenhain 2.4, 9, 10): labels, programs, tools, Q parameters. Used by
+// view/structure/line_names.
 
 #include <string_view>
 #include <vector>
 
-#include "lsp/document_names.h"
+#include "view/structure/line_names.h"
 
 namespace kadr {
 

@@ -1,6 +1,6 @@
-// Finds the names of conversational blocks. Used by lsp/document_names; tested by tests/lsp/document_names_test.cpp.
+// Finds the names of conversational blocks. Used by view/structure/line_names; tested by tests/lsp/document_names_test.cpp.
 
-#include "lsp/klartext_names.h"
+#include "view/structure/klartext_names.h"
 
 #include <algorithm>
 #include <optional>
@@ -26,7 +26,9 @@ class KlartextNames {
     else if (starts("BEGIN PGM")) program(at_ + 9, true);
     else if (starts("CALL PGM")) program(at_ + 8, false);
     else if (starts("SEL PGM")) program(at_ + 7, false);
-    else if (starts("TOOL CALL") || starts("TOOL DEF")) tool(at_ + (starts("TOOL CALL") ? 9 : 8));
+    else if (starts("TOOL CALL")) tool(at_ + 9, false);
+    else if (starts("TOOL DEF")) tool(at_ + 8, true);
+    else if (starts("CYCL DEF") || starts("CYCLE DEF")) cycle();
     parameters();
   }
 
@@ -98,9 +100,26 @@ class KlartextNames {
     add(NameKind::program, defines, begin, end, std::move(name));
   }
 
-  void tool(std::size_t from) {
-    const std::size_t begin = past_blanks(from), end = past_digits(begin);
-    add(NameKind::tool, false, begin, end, std::string(line_.substr(begin, end - begin)));
+  void tool(std::size_t from, bool defines) {
+    const std::size_t begin = past_blanks(from);
+    if (begin < line_.size() && line_[begin] == '"') {
+      const std::size_t close = std::min(line_.find('"', begin + 1), line_.size());
+      return add(NameKind::tool, defines, begin + 1, close, std::string(line_.substr(begin + 1, close - begin - 1)));
+    }
+    const std::size_t end = past_digits(begin);
+    add(NameKind::tool, defines, begin, end, std::string(line_.substr(begin, end - begin)));
+  }
+
+  /// Adds a cycle with the name that the block states. Of an old cycle, which has several blocks, the first counts: CYCL DEF 7.0.
+  void cycle() {
+    const std::size_t number = past_blanks(line_.find_first_of("Ff", at_) + 1), after = past_digits(number);
+    if (number == after) return;
+    if (after + 1 < line_.size() && line_[after] == '.' && line_[after + 1] != '0') return;
+    std::size_t end = line_.size();
+    while (end > number && (static_cast<unsigned char>(line_[end - 1]) <= ' ' || line_[end - 1] == '~')) --end;
+    const std::size_t words = line_.find(" Q", after);  // parameters in the same line
+    if (words < end) end = words;
+    add(NameKind::cycle, true, at_, end, std::string(line_.substr(at_, end - at_)));
   }
 
   /// Adds Q5, QL5, QR5, QS5; one before `=` gets a value.
