@@ -2,6 +2,7 @@
 // packed_toml reads.
 //
 //   kadr_embed OUT ROOT FILE...     the names of the embedded files are relative to ROOT
+//   kadr_embed --tables OUT ROOT FILE...  the same, but of the files in ROOT/controls only the tables: the page loads them over a network
 //   kadr_embed --page OUT FOLDER    embeds all files of a folder, which may be missing, for server/page_files
 //   kadr_embed --report OUT FOLDER  embeds all files of a folder, which may be missing, for cli/report_files
 
@@ -41,7 +42,7 @@ struct Target {
   const char *header, *function;
 };
 
-void embed(std::ostream& out, const Target& target, const fs::path& root, const std::vector<fs::path>& files) {
+void embed(std::ostream& out, const Target& target, const fs::path& root, const std::vector<fs::path>& files, bool only_tables = false) {
   fmt::print(out, "// Made by dev/embed.cpp.\n#include \"{}\"\n\nnamespace kadr {{\n\n", target.header);
   std::string rows;
   for (std::size_t n = 0; n < files.size(); ++n) {
@@ -49,7 +50,8 @@ void embed(std::ostream& out, const Target& target, const fs::path& root, const 
     try {
       const std::string text = text_of(file);
       const std::string table = file.extension() == ".toml" ? kadr::packed(toml::parse(text, file.string())) : "";
-      array(out, fmt::format("text_{}", n), text);
+      const bool only_table = only_tables && file.extension() == ".toml" && file.parent_path() == root / "controls";
+      array(out, fmt::format("text_{}", n), only_table ? "" : text);
       array(out, fmt::format("table_{}", n), table);
       rows += fmt::format("    row(\"{}\", text_{}, table_{}),\n", file.lexically_relative(root).generic_string(), n, n);
     } catch (const toml::parse_error& error) {
@@ -60,10 +62,12 @@ void embed(std::ostream& out, const Target& target, const fs::path& root, const 
   }
   fmt::print(out,
              "\ntemplate <std::size_t T, std::size_t P>\n"
-             "[[maybe_unused]] static EmbeddedFile row(std::string_view name, const unsigned char (&text)[T], const unsigned char (&table)[P]) {{\n"
+             "[[maybe_unused]] static EmbeddedFile row(std::string_view name, const unsigned char (&text)[T], const unsigned char "
+             "(&table)[P]) {{\n"
              "  return {{name, {{reinterpret_cast<const char*>(text), T - 1}}, {{reinterpret_cast<const char*>(table), P - 1}}}};\n"
              "}}\n\n"
-             "std::span<const EmbeddedFile> {}() {{\n  static const std::initializer_list<EmbeddedFile> table = {{\n{}  }};\n  return {{table.begin(), table.size()}};\n}}\n\n"
+             "std::span<const EmbeddedFile> {}() {{\n  static const std::initializer_list<EmbeddedFile> table = {{\n{}  }};\n  return "
+             "{{table.begin(), table.size()}};\n}}\n\n"
              "}}  // namespace kadr\n",
              target.function, rows);
 }
@@ -82,16 +86,18 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 
 int main(int argc, char** argv) {
   const bool page = argc == 4 && std::string_view(argv[1]) == "--page", report = argc == 4 && std::string_view(argv[1]) == "--report";
+  const bool only_tables = argc > 3 && std::string_view(argv[1]) == "--tables";
   if (argc < 3) {
-    std::cerr << "kadr_embed OUT ROOT FILE... | --page OUT FOLDER | --report OUT FOLDER\n";
+    std::cerr << "kadr_embed [--tables] OUT ROOT FILE... | --page OUT FOLDER | --report OUT FOLDER\n";
     return 2;
   }
-  const char* const name = argv[page || report ? 2 : 1];
+  const int first = page || report || only_tables ? 2 : 1;
+  const char* const name = argv[first];
   try {
     std::ofstream out(name, std::ios::binary);
     if (page) embed(out, {"server/page_files.h", "page_files"}, argv[3], files_in(argv[3]));
     else if (report) embed(out, {"cli/report_files.h", "report_files"}, argv[3], files_in(argv[3]));
-    else embed(out, {"config/embedded.h", "embedded_files"}, argv[2], {argv + 3, argv + argc});
+    else embed(out, {"config/embedded.h", "embedded_files"}, argv[first + 1], {argv + first + 2, argv + argc}, only_tables);
     out.close();
     if (!out) throw std::runtime_error(std::string(name) + ": cannot be written");
   } catch (const std::exception& error) {

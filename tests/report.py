@@ -136,6 +136,43 @@ def part(kadr, folder):
     expect(crash.returncode == 1 and data['en']['findings'] and data['ru']['findings'][0]['text'] != data['en']['findings'][0]['text'], f'what is hit: {crash.returncode} {crash.stderr[-300:]}')
 
 
+def live_files(path):
+    """Returns what a live report opens, and its files as bytes."""
+    page = Page(path.read_text(encoding='utf-8'))
+    given = json.loads(zlib.decompress(base64.b64decode(page.held['kadr-files'], validate=True)))
+    return page, given['open'], {name: text.encode('latin-1') for name, text in given['files'].items()}
+
+
+def live(kadr, folder):
+    """A live report is the given page with the files of the program, byte by byte; web/e2e/alone_live.mjs opens a real one."""
+    place, out = folder / 'live', folder / 'live.html'
+    (place / 'sub').mkdir(parents=True)
+    (place / 'page.html').write_text('<html><body><script type="text/plain" id="kadr-engine-wasm">AAAA</script></body></html>')
+    program = f'%\nO1 ({EVIL})\nG21 G90 G0 X0\nM98 P2\nM30\n%\n'.encode() + b'(\xff)'
+    (place / 'main.nc').write_bytes(program)
+    (place / 'O0002').write_text('%\nO2\nG0 X1.\nM99\n%\n')
+    (place / 'sub/my.json').write_text('{"skip": [2]}')
+    (folder / 'mills.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 10\nflute_length = 20\n')
+    (folder / 'blank.stl').write_text('solid x\nendsolid x\n')
+    made = run(kadr, place / 'main.nc', '--control', 'fanuc', '--setup', place / 'sub/my.json', '--tools', folder / 'mills.toml', '--live', place / 'page.html',
+               '--out', out, '--lang', 'en')
+    expect(made.returncode == 0 and 'blocks' in made.stdout, f'a live report is written: {made.returncode} {made.stdout} {made.stderr}')
+    page, opening, files = live_files(out)
+    expect(opening == {'file': 'main.nc', 'control': 'fanuc', 'setup': 'sub/my.json'}, f'what it opens: {opening}')
+    expect(files == {'main.nc': program, 'O0002': (place / 'O0002').read_bytes(), 'sub/my.json': (place / 'sub/my.json').read_bytes(),
+                     'main.toml': (folder / 'mills.toml').read_bytes()}, f'its files: {files}')
+    expect(page.tags.count('img') == 0 and page.tags.count('script') == 2, 'a comment does not become markup')
+    boxed = run(kadr, EXAMPLES / 'cut/plate.nc', '--control', 'mach3', '--tools', EXAMPLES / 'cut/tools.toml', '--stock', 'box:-40,-30,-20,40,30,0', '--fixture',
+                'box:0,0,-30,1,1,-25', '--resolution', 2, '--live', place / 'page.html', '--out', out, '-q')
+    _, opening, files = live_files(out)
+    expect(boxed.returncode == 0 and json.loads(files[opening['setup']]) == {'stock': 'box:-40,-30,-20,40,30,0', 'fixtures': ['box:0,0,-30,1,1,-25']},
+           f'blank and fixture are in its set-up: {boxed.stderr} {opening} {files.keys()}')
+    for words, why in ((['--live', place / 'main.nc'], 'make web'), (['--live', place / 'page.html', '--zero', 'G54=X1'], '--setup'),
+                       (['--live', place / 'no.html'], 'no.html')):
+        refusal = run(kadr, place / 'main.nc', '--control', 'fanuc', *words, '--out', folder / 'none.html', '--lang', 'en')
+        expect(refusal.returncode == 2 and why in refusal.stderr and not (folder / 'none.html').exists(), f'refused: {words} {refusal.returncode} {refusal.stderr}')
+
+
 def size(kadr, folder):
     """100,000 blocks with arcs and irregular positions give less than 5 MB; in less than 5 s here, sooner on an idle machine."""
     program, out = folder / 'long.nc', folder / 'long.html'
@@ -230,6 +267,7 @@ def main():
             alarms(kadr, folder)
             refused(kadr, folder)
             part(kadr, folder)
+            live(kadr, folder)
             long = size(kadr, folder)
             browser(kadr, [small, folder / 'wrong.html', long])
     return tally.result()

@@ -22,7 +22,7 @@ function(kadr_web_library name)  # SOURCES files; USED include folders; DEFINES
   if(LIB_SOURCES)
     add_library(${target} STATIC ${LIB_SOURCES})
     target_include_directories(${target} SYSTEM PUBLIC ${LIB_USED})
-    target_compile_options(${target} PRIVATE -w)
+    target_compile_options(${target} PRIVATE -w -Os)
     target_compile_definitions(${target} PRIVATE ${LIB_DEFINES})
   else()
     add_library(${target} INTERFACE)

@@ -13,6 +13,7 @@
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
 #include "cli/report_files.h"
+#include "cli/report_live.h"
 #include "config/read_file.h"
 #include "out/text/cut_text.h"
 #include "texts/report_command.h"
@@ -27,6 +28,7 @@ Outputs outputs_of(const ReportOptions& options, const Job& job) {
   outputs.reads(job.file);
   outputs.reads(job.setup_file);
   outputs.reads(options.cut.tools);
+  outputs.reads(options.live);
   outputs.reads(options.cut.stock);
   for (const std::string& body : options.cut.fixtures) outputs.reads(body);
   if (options.cut.run.control.ends_with(".toml")) outputs.reads(options.cut.run.control);
@@ -103,6 +105,8 @@ class ReportRun {
     return {*run_, *source_, file, KADR_VERSION, job_.lang, alarms_, contour_, nullptr, cut_ ? &part_ : nullptr, {}};
   }
   const ProgramRun& run() const { return *run_; }
+  /// Returns the names of the files that the program has called or read.
+  std::vector<std::string> files() const { return run_->control().files_read(); }
 
   /// Cuts the blank. If an error occurs, it is printed and the function returns false.
   bool cut(const CutOptions& options, const ToolLibrary& tools) {
@@ -165,12 +169,25 @@ int write(const ReportOptions& options, const ReportRun& report, const std::stri
   return hit || run.end() == ProgramRun::End::stopped ? alarms : ok;
 }
 
+/// Returns why the report cannot be made; empty if it can.
+std::string fault_message(const ReportOptions& options) {
+  if (!options.live.empty()) return live_fault_message(options);
+  return report_file("report.html").empty() ? translated(texts::report_command::built_without_page) : std::string();
+}
+
+tl::expected<std::string, std::string> made_report(const ReportOptions& options, const ReportRun& run, const Job& job,
+                                                   const ToolLibrary& tools) {
+  ReportContent content = run.content(shown_name(job.file));
+  content.tools = options.cut.tools.empty() ? nullptr : &tools;
+  content.licences = report_file("licences.txt");
+  return report_html(report_file("report.html"), content);
+}
+
 }  // namespace
 
 int report(const ReportOptions& options) {
-  const std::string_view viewer = report_file("report.html");
-  if (viewer.empty()) {
-    complain(translated(texts::report_command::built_without_page));
+  if (const std::string fault = fault_message(options); !fault.empty()) {
+    complain(fault);
     return wrong_usage;
   }
   auto job = make_job(options.cut.run, options.cut.run.programs.front());
@@ -195,10 +212,7 @@ int report(const ReportOptions& options) {
   run.execute();
   if (!interrupted() && !options.cut.stock.empty() && !run.cut(options.cut, tools)) return wrong_usage;
   if (interrupted()) return interrupted_status();
-  ReportContent content = run.content(shown_name(job->file));
-  content.tools = options.cut.tools.empty() ? nullptr : &tools;
-  content.licences = report_file("licences.txt");
-  const auto html = report_html(viewer, content);
+  const auto html = options.live.empty() ? made_report(options, run, *job, tools) : live_report(options, *job, run.files());
   if (!html) {
     complain(html.error());
     return wrong_usage;

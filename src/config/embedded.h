@@ -7,8 +7,8 @@
 namespace kadr {
 
 struct EmbeddedFile {
-  std::string_view name;  // name of the file with its folder: "controls/s2c42.toml"
-  std::string_view text;
+  std::string_view name;   // name of the file with its folder: "controls/s2c42.toml"
+  std::string_view text;   // empty for a control's file in a build for browsers
   std::string_view table;  // a TOML file in packed form, for unpacked()
 };
 

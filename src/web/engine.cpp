@@ -1,12 +1,11 @@
-// The engine of a page that has no server: the sessions of view in a Web Worker. web/src/engine/worker.ts calls these functions; tested by
-// tests/alone/traces.py and web/e2e/alone.mjs.
+// The engine of a page that has no server: a session of view in a Web Worker, of which the page has one for each view.
+// web/src/engine/worker.ts calls these functions; tested by tests/alone/traces.py and web/e2e/alone.mjs.
 //
 //   kadr_begin(folder, html, licences) once: the folder, in the memory of the worker, whose files the page shows; the viewer of reports and
 //                                      the licences of its components
 //   kadr_open() → session              a session, as a connection of the server is one
 //   kadr_take(session, text, size)     a message of the page; answers, events and frames go out before it returns. Meanwhile the module's
 //                                      function kadr_stops is asked some twenty times a second whether the work is to stop
-//   kadr_close(session)
 
 #include <emscripten.h>
 
@@ -123,7 +122,5 @@ EMSCRIPTEN_KEEPALIVE int kadr_take(int session, const char* text, std::size_t si
   engine->views.erase(view);
   return 1;
 }
-
-EMSCRIPTEN_KEEPALIVE void kadr_close(int session) { kadr::web::engine->views.erase(session); }
 
 }  // extern "C"

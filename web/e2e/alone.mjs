@@ -5,6 +5,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { alone_figures } from "./alone_figures.mjs";
+import { more_steps } from "./alone_more.mjs";
 import { browser, looks_at, must, until } from "./browser.mjs";
 import { hands_on } from "./hands.mjs";
 import { simple_host } from "./simple_host.mjs";
@@ -118,17 +119,6 @@ const steps = {
     await page.waitForTimeout(800);
     await shot("cut");
   },
-  async converts() {
-    await page.locator('.files-verbs button[data-needs="program"]').last().click();
-    await until("the choice of a control", () => count(".convert [name=to]"));
-    await page.selectOption(".convert [name=to]", "linuxcnc");
-    await page.click(".convert form button.main");
-    await until("an answer", async () => (await count(".convert-told .good, .convert-told .error")) === 1);
-    must(/equal/.test(await text(".convert-told")), await text(".convert-told"));
-    await shot("convert");
-    await page.keyboard.press("Escape");
-    await page.click("dialog.docked button.icon").catch(() => {});
-  },
   async "makes a report"() {
     const waits = page.waitForEvent("download");
     await page.click(".topbar button:has-text('Report')");
@@ -185,6 +175,8 @@ const steps = {
     await shot("again");
   },
 };
+
+Object.assign(steps, more_steps({ page, address, examples, drop, opened, shot }));
 
 let passed = 0,
   failed = 0;

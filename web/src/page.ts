@@ -48,7 +48,7 @@ import { Topbar } from "./ui/topbar";
 import { offer_unsaved } from "./ui/unsaved";
 
 set_language(language());
-const app = new App(socket);
+const app = new App(socket, alone?.open ?? null);
 const player = new Player(app);
 const operator = new Operator(socket);
 let shapes: Shape[] = [],

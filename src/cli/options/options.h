@@ -130,6 +130,7 @@ int edit(const EditOptions& options);
 struct ReportOptions {
   CutOptions cut;  // options of the cut, including those of the run; if no blank is stated, the program only runs
   std::string out;
+  std::string live;  // the page of a live report; empty: the report has the results only
 };
 int report(const ReportOptions& options);
 /// Prints on standard output the licences of the libraries that Kadr contains.

@@ -5,6 +5,7 @@
 #include "cli/options/command_parts.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
+#include "texts/live_report.h"
 #include "texts/report_options.h"
 
 namespace kadr::cli {
@@ -14,6 +15,7 @@ void add_report(CLI::App& app, Commands& c) {
   CLI::App* const report = app.add_subcommand("report", translated(texts::report_options::report));
   program_argument(*report, o.cut.run);
   writes_file(report->add_option("--out", o.out, translated(texts::report_options::out))->required());
+  takes_file(report->add_option("--live", o.live, plain_text(texts::live_report::option)));
   const auto [stock, tools] = blank_options(*report, o.cut);
   stock->needs(tools);
   cell_option(*report, o.cut);

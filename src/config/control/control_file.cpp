@@ -21,12 +21,13 @@ namespace {
 
 using Table = tl::expected<toml::table, std::string>;
 
-/// The form in which a built-in file is read: the packed table, which is fast to read, or the text, whose nodes have line numbers.
+/// The form in which a built-in file is read: the packed table, which is fast to read, or the text, whose nodes have line numbers. A build
+/// for browsers has only the table.
 enum class From : std::uint8_t { table, text };
 
 std::optional<Table> built_in(const std::string& file, From from) {
-  if (from == From::table) return toml_tools::embedded_table(file);
   const auto text = toml_tools::embedded_text(file);
+  if (from == From::table || (text && text->empty())) return toml_tools::embedded_table(file);
   return text ? std::optional(toml_tools::parsed(*text, file)) : std::nullopt;
 }
 

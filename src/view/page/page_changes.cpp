@@ -23,7 +23,7 @@ PageSession::Inside::Answer PageSession::Inside::digest(const PageJson& question
 /// Returns why this page may not change the file; empty if it may.
 std::string PageSession::Inside::fault_of_change(const std::string& file) const {
   if (!may_change) return translated(texts::page::may_not_save);
-  if (server.hub != nullptr && server.hub->find(file)) return translated(texts::page::machine_is_on, file);
+  if (is_machine_on(file)) return translated(texts::page::machine_is_on, file);
   return {};
 }
 

@@ -21,8 +21,9 @@ constexpr std::string_view folder_of_examples = "kadr-examples";
 
 /// An example that is in the program.
 struct Example {
-  std::string program, control, machine, setup;  // files in `examples` of the source; machine and setup may be empty
-  std::string title;                             // in the language of the page
+  std::string program, control, machine;  // `program` is a file in `examples` of the source; `machine` may be empty
+  std::string setup, tools;               // files in `examples`, or empty
+  std::string title;                      // in the language of the page
 };
 
 std::vector<Example> all_examples(Lang lang) {
@@ -34,13 +35,19 @@ std::vector<Example> all_examples(Lang lang) {
     const toml::table* const row = node.as_table();
     if (row == nullptr) continue;
     const auto text = [&](const char* key) { return (*row)[key].value_or(std::string()); };
-    Example example{text("program"), text("control"), text("machine"), text("setup"), text(lang == Lang::ru ? "ru" : "en")};
+    Example example{text("program"), text("control"), text("machine"), text("setup"), text("tools"), text(lang == Lang::ru ? "ru" : "en")};
     if (embedded(fmt::format("examples/{}", example.program)) != nullptr) all.push_back(std::move(example));
   }
   return all;
 }
 
 std::string place_of_example(std::string_view name) { return fmt::format("{}/{}", folder_of_examples, name.substr(name.rfind('/') + 1)); }
+
+/// The tools file of a program has the name of the program.
+std::string place_of_tools(std::string_view program) {
+  const std::string place = place_of_example(program);
+  return place.substr(0, place.rfind('.')) + ".toml";
+}
 
 }  // namespace
 
@@ -51,7 +58,7 @@ PageSession::Inside::Answer PageSession::Inside::examples(const PageJson&) {
   return PageJson{{"examples", std::move(list)}};
 }
 
-/// Copies an example with its set-up to the folder `kadr-examples`. A copy that exists already, changed or not, remains.
+/// Copies an example with its set-up and its tools to the folder `kadr-examples`. A copy that exists already, changed or not, remains.
 PageSession::Inside::Answer PageSession::Inside::take_example(const PageJson& question) {
   if (!may_change) return refused(translated(texts::page::may_not_save));
   const std::string name = value_in<std::string>(question, "name", "");
@@ -59,10 +66,12 @@ PageSession::Inside::Answer PageSession::Inside::take_example(const PageJson& qu
   const auto row = std::find_if(all.begin(), all.end(), [&](const Example& example) { return example.program == name; });
   if (row == all.end()) return refused(translated(texts::page::no_such_example, name));
   if (const auto made = server.folder.make_folder(std::string(folder_of_examples)); !made) return refused(made.error().text);
-  for (const std::string& file : {row->program, row->setup}) {
+  for (const auto& [file, place] :
+       {std::pair(row->program, place_of_example(row->program)), std::pair(row->setup, place_of_example(row->setup)),
+        std::pair(row->tools, place_of_tools(row->program))}) {
     const EmbeddedFile* const content = file.empty() ? nullptr : embedded(fmt::format("examples/{}", file));
     if (content == nullptr) continue;
-    const auto saved = server.folder.save(place_of_example(file), content->text, std::nullopt);
+    const auto saved = server.folder.save(place, content->text, std::nullopt);
     if (!saved && !saved.error().changed) return refused(saved.error().text);
   }
   PageJson answer{{"file", place_of_example(row->program)}, {"control", row->control}};

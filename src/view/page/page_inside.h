@@ -150,6 +150,7 @@ struct PageSession::Inside {
   Answer go_there(const PageJson& question);
   Answer move_along_path(const PageJson& question);
   tl::expected<PanelSearch::Answer, Refusal> find_place(PanelMachine& machine, const PageJson& question) const;
+  bool is_machine_on(const std::string& file) const;
   void leave_machine();
   void stop_machine();
   tl::expected<PanelMachine*, Refusal> held_machine() const;

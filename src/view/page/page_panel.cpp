@@ -135,6 +135,9 @@ tl::expected<RealConnection, Refusal> PageSession::Inside::connect_for(const Pag
   return std::move(*made);
 }
 
+/// Returns whether the machine of a program is on.
+bool PageSession::Inside::is_machine_on(const std::string& file) const { return server.hub != nullptr && server.hub->find(file); }
+
 /// Switches on a machine, with its edited tables and with the axes at their last positions.
 tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside::switch_on(const std::string& file,
                                                                                             const PageJson& question) {

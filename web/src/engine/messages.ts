@@ -13,17 +13,14 @@ export type ToWorker =
       viewer: string; // of reports
       licences: string; // of its parts
     }
-  | { do: "open"; session: number }
-  | { do: "take"; session: number; text: string; flag: string; at: number } // `at`: when it was sent, Date.now()
-  | { do: "put"; files: FileBytes[]; id: number }
-  | { do: "close"; session: number };
+  | { do: "take"; text: string; flag: string; at: number } // `at`: when it was sent, Date.now()
+  | { do: "put"; files: FileBytes[]; gone: string[] }; // files that another session or the user has changed
 
 /// `taken`: a message has been answered completely. `end`: the session goes on, has ended by itself, lacked memory, or
 /// the engine is broken and has to be replaced.
 export type FromWorker =
   | { is: "ready"; stops: boolean } // whether it can receive a stop while it works
   | { is: "failed"; text: string }
-  | { is: "out"; session: number; data: string | ArrayBuffer }
-  | { is: "taken"; session: number; end: "" | "closed" | "memory" | "broken"; text: string }
-  | { is: "put"; id: number }
+  | { is: "out"; data: string | ArrayBuffer }
+  | { is: "taken"; end: "" | "closed" | "memory" | "broken"; text: string }
   | { is: "files"; changed: FileBytes[]; gone: string[] };

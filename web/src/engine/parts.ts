@@ -8,12 +8,16 @@ export interface Parts {
   licences: string;
 }
 
+/// Unpacks base64 of gzip or zlib.
+export function unpacked(text: string, form: "gzip" | "deflate"): Response {
+  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream(form)));
+}
+
 /// Returns what the element of a page that is one file holds: base64 of gzip.
 function inside(id: string): Response | null {
   const text = document.getElementById(id)?.textContent?.trim();
-  if (!text) return null;
-  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")));
+  return text ? unpacked(text, "gzip") : null;
 }
 
 async function fetched(name: string): Promise<Response> {

@@ -17,8 +17,9 @@ function opened(): Promise<IDBDatabase> {
 export class Store {
   private constructor(private db: IDBDatabase | null) {}
 
-  static async open(): Promise<Store> {
-    return new Store(await opened().catch(() => null));
+  /// `nothing`: keeps nothing, and has nothing.
+  static async open(nothing = false): Promise<Store> {
+    return new Store(nothing ? null : await opened().catch(() => null));
   }
 
   /// Whether files outlive the page.

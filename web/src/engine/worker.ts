@@ -1,4 +1,4 @@
-// The worker in which the engine runs: Kadr itself as WebAssembly (src/web/engine.cpp), with the files of the page in its
+// The worker in which a session runs: Kadr itself as WebAssembly (src/web/engine.cpp), with the files of the page in its
 // memory. It gets the messages that a server would get by WebSocket, and answers them in their order.
 import type { FileBytes, FromWorker, ToWorker } from "./messages";
 
@@ -12,6 +12,7 @@ interface Engine {
     mkdirTree(path: string): void;
     writeFile(path: string, bytes: Uint8Array): void;
     readFile(path: string): Uint8Array;
+    unlink(path: string): void;
     readdir(path: string): string[];
     isDir(mode: number): boolean;
     lookupPath(path: string): { node: Node };
@@ -23,7 +24,6 @@ interface Engine {
   _kadr_begin(folder: number, html: number, licences: number): number;
   _kadr_open(): number;
   _kadr_take(session: number, text: number, size: number, stopped: number): number;
-  _kadr_close(session: number): void;
 }
 declare const kadr_engine: (of: object) => Promise<Engine>;
 
@@ -34,9 +34,9 @@ const waits = 20; // ms: a message that came so long ago may have been stopped m
 let engine: Engine,
   folder = "",
   stops = false,
-  working = { session: 0, flag: "" };
-const sessions = new Map<number, number>(), // the page's number of a session → the engine's
-  known = new Map<string, string>(); // path of a file → its state that the page received last
+  session = 0,
+  working = { flag: "", changes: false }; // the message that is answered
+const known = new Map<string, string>(); // path of a file → its state that the page knows
 
 const tell = (message: FromWorker, hand_over: Transferable[] = []): void =>
   (self as unknown as Worker).postMessage(message, hand_over);
@@ -66,18 +66,21 @@ function with_text<T>(text: string, use: (at: number, size: number) => T): T {
   }
 }
 
-function put(files: FileBytes[]): void {
+/// Writes files that the page has sent, and deletes those that are gone.
+function put(files: FileBytes[], gone: string[]): void {
   for (const [path, bytes] of files) {
     const whole = `${folder}/${path}`;
     engine.FS.mkdirTree(whole.slice(0, whole.lastIndexOf("/")));
     engine.FS.writeFile(whole, new Uint8Array(bytes));
   }
+  for (const path of gone) if (known.has(path)) engine.FS.unlink(`${folder}/${path}`);
+  changes();
 }
 
-/// Tells the page which files are new, other or gone, so that it keeps them.
-function tell_files(): void {
+/// Returns the paths of the files that are new, other or gone since the last call.
+function changes(): { changed: string[]; gone: string[] } {
   const { FS } = engine,
-    changed: FileBytes[] = [],
+    changed: string[] = [],
     there = new Set<string>();
   const visit = (at: string): void => {
     for (const name of FS.readdir(`${folder}${at}`)) {
@@ -93,17 +96,27 @@ function tell_files(): void {
       there.add(file);
       if (known.get(file) === state) continue;
       known.set(file, state);
-      changed.push([file, FS.readFile(folder + path).slice().buffer as ArrayBuffer]);
+      changed.push(file);
     }
   };
   visit("");
   const gone = [...known.keys()].filter((file) => !there.has(file));
   for (const file of gone) known.delete(file);
-  if (changed.length || gone.length)
-    tell(
-      { is: "files", changed, gone },
-      changed.map(([, bytes]) => bytes),
-    );
+  return { changed, gone };
+}
+
+/// Tells the page which files the session has changed, so that it keeps them and other sessions get them.
+function tell_files(): void {
+  const { changed, gone } = changes();
+  if (!changed.length && !gone.length) return;
+  const files = changed.map((file): FileBytes => {
+    const bytes = engine.FS.readFile(`${folder}/${file}`).slice().buffer as ArrayBuffer;
+    return [file, bytes];
+  });
+  tell(
+    { is: "files", changed: files, gone },
+    files.map(([, bytes]) => bytes),
+  );
 }
 
 async function begin(of: Extract<ToWorker, { do: "begin" }>): Promise<void> {
@@ -113,65 +126,47 @@ async function begin(of: Extract<ToWorker, { do: "begin" }>): Promise<void> {
       WebAssembly.instantiate(of.module, imports).then(done, (e) => tell({ is: "failed", text: String(e) }));
       return {};
     },
-    kadr_out(session: number, data: string | ArrayBuffer) {
-      const { session: asks } = working;
-      if (sessions.get(asks) !== session) return;
-      tell({ is: "out", session: asks, data }, typeof data === "string" ? [] : [data]);
+    kadr_out(_: number, data: string | ArrayBuffer) {
+      if (working.changes && typeof data === "string") tell_files(); // before the answer, after which the page asks others
+      tell({ is: "out", data }, typeof data === "string" ? [] : [data]);
     },
     kadr_stops: () => stops && is_withdrawn(working.flag),
   });
   folder = `/${of.folder}`;
   engine.FS.mkdirTree(folder);
-  put(of.files);
-  tell_files();
+  put(of.files, []);
   const begun = with_text(folder, (at) =>
     with_text(of.viewer, (html) => with_text(of.licences, (licences) => engine._kadr_begin(at, html, licences))),
   );
   if (!begun) return tell({ is: "failed", text: folder });
+  session = engine._kadr_open();
   tell({ is: "ready", stops });
 }
 
 function take(of: Extract<ToWorker, { do: "take" }>): void {
-  const { session, text, flag, at } = of,
-    of_engine = sessions.get(session);
-  if (of_engine === undefined) return;
-  working = { session, flag };
+  const { text, flag, at } = of;
+  working = { flag, changes: changing.test(text.slice(0, 300)) };
   let end: "" | "closed" | "memory" | "broken" = "",
     why = "";
   try {
     const stopped = stops && Date.now() - at > waits && is_withdrawn(flag);
-    const how = with_text(text, (place, size) => engine._kadr_take(of_engine, place, size, stopped ? 1 : 0));
+    const how = with_text(text, (place, size) => engine._kadr_take(session, place, size, stopped ? 1 : 0));
     end = how === 0 ? "" : how === 1 ? "closed" : "memory";
   } catch (e) {
     why = String(e);
     end = /memory|out of bounds/i.test(why) ? "memory" : "broken";
   }
-  if (end) sessions.delete(session);
-  if (end === "" && changing.test(text.slice(0, 300))) tell_files();
-  tell({ is: "taken", session, end, text: why });
+  if (end === "" && working.changes) tell_files();
+  tell({ is: "taken", end, text: why });
 }
 
+async function hear(message: ToWorker): Promise<void> {
+  if (message.do === "begin") await begin(message);
+  else if (message.do === "take") take(message);
+  else put(message.files, message.gone);
+}
+
+let before: Promise<void> = Promise.resolve(); // what came first, such as the beginning, has been done
 self.onmessage = (e: MessageEvent<ToWorker>): void => {
-  const message = e.data;
-  switch (message.do) {
-    case "begin":
-      begin(message).catch((failure) => tell({ is: "failed", text: String(failure) }));
-      break;
-    case "open":
-      sessions.set(message.session, engine._kadr_open());
-      break;
-    case "take":
-      take(message);
-      break;
-    case "put":
-      put(message.files);
-      tell_files();
-      tell({ is: "put", id: message.id });
-      break;
-    case "close": {
-      const of_engine = sessions.get(message.session);
-      sessions.delete(message.session);
-      if (of_engine !== undefined) engine._kadr_close(of_engine);
-    }
-  }
+  before = before.then(() => hear(e.data)).catch((failure) => tell({ is: "failed", text: String(failure) }));
 };

@@ -14,12 +14,17 @@ export type { Choice };
 
 export class App extends AppResults {
   readonly client: Client;
-  private wanted = remembered<{ question: OpenQuestion; at: number } | null>("open", null, "tab");
+  private wanted: { question: OpenQuestion; at: number } | null;
   private keep_soon = debounce(300, () => this.keep_place());
   private opening = 0; // questions `open` without an answer: messages meanwhile belong to an older program
 
-  constructor(make: () => Socket) {
+  /// `given`: the program to open first, of files that came with the page; null: the one that this tab had open.
+  constructor(
+    make: () => Socket,
+    private given: OpenQuestion | null = null,
+  ) {
     super();
+    this.wanted = remembered(this.place(), given && { question: given, at: 0 }, "tab");
     this.client = new Client(make, (c) => this.greet(c));
     this.client.line.on((l) => void this.line_changed(l));
     this.client.frame.on((f) => {
@@ -209,12 +214,16 @@ export class App extends AppResults {
     this.digest = opened.digest;
   }
 
+  /// Where the tab remembers what is open: files that came with a page are not those of another page in the same tab.
+  private place(): string {
+    return this.given ? `open ${this.given.file}` : "open";
+  }
   /// Runs at once: the page is about to close.
   keep_place(): void {
     if (!this.opened || !this.wanted) return;
     const { text: _, ...question } = this.wanted.question;
     this.wanted = { question, at: this.done ? this.instant : this.wanted.at }; // until the run is complete, the old position is still the target
-    remember("open", this.wanted, "tab");
+    remember(this.place(), this.wanted, "tab");
     this.unsaved.keep(this.opened.file, this.dirty ? this.text : null, this.digest);
   }
 }

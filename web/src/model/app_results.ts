@@ -1,5 +1,6 @@
 // What a run and a cut have found, as the session's messages tell it.
 import type { SessionEvent } from "../protocol/messages";
+import { Refused } from "../protocol/client";
 import type { Frame } from "../protocol/frames";
 import type { CutQuestion, CutResult, Done } from "../protocol/types";
 import { AppTime } from "./app_time";
@@ -20,8 +21,9 @@ export abstract class AppResults extends AppTime {
   /// The instant at which the slider stands when the run is complete.
   protected abstract wanted_at(): number;
 
-  async run_cut(question: CutQuestion): Promise<void> {
-    if (!(await this.run_shown())) return;
+  /// Returns why the cut was refused, which has been reported; "" if it has begun.
+  async run_cut(question: CutQuestion): Promise<string> {
+    if (!(await this.run_shown())) return "";
     this.last_cut = question;
     this.cut_text = this.ran;
     this.findings = [];
@@ -32,10 +34,12 @@ export abstract class AppResults extends AppTime {
     this.on_cut.emit(0);
     try {
       await this.client.ask("cut", question);
+      return "";
     } catch (e) {
       this.cutting = false;
       this.on_cut.emit(null);
       this.tell(e);
+      return e instanceof Refused ? e.message : "";
     }
   }
 

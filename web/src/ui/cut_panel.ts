@@ -6,12 +6,12 @@ import { new_tool } from "../model/tool_shape";
 import { Refused } from "../protocol/client";
 import type { BlankSource, Box, Insert, KeptFile, PartAnswer, Problem, Tool } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
-import { button, fill, h, option } from "./dom";
+import { button, fill, h } from "./dom";
 import { CutProblems } from "./problems_panel";
 import { fixtures_form, stock_form } from "./stock_form";
 import { cut_facts } from "./cut_facts";
 import { toast } from "./toast";
-import { text_input, tool_form } from "./tool_form";
+import { files_form, text_input, tool_form } from "./tool_form";
 
 export class CutPanel {
   readonly element = h("div", { class: "cut" });
@@ -34,6 +34,7 @@ export class CutPanel {
   private form = h("div");
   private told = h("div", { "aria-live": "polite" });
   private part: PartAnswer | null = null;
+  private refusal = ""; // why the last cut was refused
   private hit: CutProblems;
 
   constructor(
@@ -48,6 +49,7 @@ export class CutPanel {
     });
     app.on_opening.on((file) => {
       if (file !== this.of) this.cuts_next = false;
+      this.refusal = "";
       this.known = false;
       this.part = null;
       this.draw();
@@ -128,7 +130,7 @@ export class CutPanel {
           this.draw();
         }),
         h("h3", null, `${t("tools")}, ${t("mm")}`),
-        this.files_form(),
+        this.files.length > 0 && files_form(this.files, (file) => void this.take_file(file)),
         !this.tools.length && h("p", { class: "note" }, t("tools_none")),
         ...this.tools.map((x) =>
           tool_form(x, this.inserts, () => {
@@ -186,21 +188,6 @@ export class CutPanel {
     );
   }
 
-  private files_form(): HTMLElement | false {
-    if (!this.files.length) return false;
-    const select = h(
-      "select",
-      {
-        onchange: () => {
-          if (select.value) void this.take_file(select.value);
-        },
-      },
-      option("", "…", true),
-      ...this.files.map((f) => option(f, f, false)),
-    );
-    return h("label", { class: "field" }, h("span", null, t("tools_from_file")), select);
-  }
-
   /// Blank and tools that an older text proposed do not fit: the cut waits for those of the text that is shown.
   private async run(): Promise<void> {
     this.cuts_next = true;
@@ -212,12 +199,23 @@ export class CutPanel {
     this.cuts_next = false;
     const r = Number(this.resolution.replace(",", "."));
     const tools = this.tools.map(({ from: _, known: __, ...shape }) => shape);
-    void this.app.run_cut({
-      stock: this.stock,
-      tools,
-      ...(this.fixtures.length ? { fixtures: this.fixtures } : {}),
-      ...(r > 0 ? { resolution: r } : {}),
-    });
+    this.refusal = "";
+    void this.app
+      .run_cut({
+        stock: this.stock,
+        tools,
+        ...(this.fixtures.length ? { fixtures: this.fixtures } : {}),
+        ...(r > 0 ? { resolution: r } : {}),
+      })
+      .then((refusal) => refusal && this.tell_refusal(refusal));
+  }
+
+  /// What was refused stays on the panel, and the first field that has to be filled in is ready for it.
+  private tell_refusal(refusal: string): void {
+    this.refusal = refusal;
+    this.draw_told(null);
+    for (const field of this.form.querySelectorAll<HTMLInputElement>(".tool-form.unknown .fields input"))
+      if (field.value === "") return field.focus();
   }
 
   /// Writes blank and fixtures into the set-up of the program, and the tools into its tools file.
@@ -241,6 +239,7 @@ export class CutPanel {
   private draw_told(part: number | null): void {
     const bar =
       part !== null && this.app.cutting ? h("progress", { max: 1, value: part, "aria-label": t("cutting") }) : null;
-    fill(this.told, bar, ...cut_facts(this.app.cut, this.part), ...this.hit.rows());
+    const refused = this.refusal ? h("p", { class: "hint error" }, this.refusal) : null;
+    fill(this.told, bar, refused, ...cut_facts(this.app.cut, this.part), ...this.hit.rows());
   }
 }

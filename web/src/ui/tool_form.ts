@@ -104,3 +104,14 @@ export function tool_form(x: Tool, inserts: Insert[], changed_shape: () => void)
     ),
   );
 }
+
+/// The choice of a tools file, from which `take` reads the tools.
+export function files_form(files: string[], take: (file: string) => void): HTMLElement {
+  const select = h(
+    "select",
+    { onchange: () => select.value && take(select.value) },
+    option("", "…", true),
+    ...files.map((f) => option(f, f, false)),
+  );
+  return h("label", { class: "field" }, h("span", null, t("tools_from_file")), select);
+}

@@ -120,7 +120,7 @@ export class Upload {
       else if (!alone!.bytes_of(path) || (await this.may_replace(path))) files.push({ path, bytes });
     }
     if (!files.length) return;
-    await alone!.put(files);
+    alone!.put(files);
     await this.show(folder);
     const first = files[0]!.path;
     if (files.length > 1) return toast(t("sent_many", { n: files.length }));
