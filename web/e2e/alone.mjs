@@ -37,6 +37,11 @@ const drop = (files) =>
   }, files);
 const example = (name) => [name.split("/").pop(), readFileSync(join(examples, name), "utf8")];
 const files = () => page.locator(".file-list .file-name").allTextContents();
+/// Shows the folder of the page, into which files are dropped then.
+const root = async () => {
+  await page.click(".crumbs button >> nth=0");
+  await until("the folder", async () => (await count(".crumbs button")) === 1);
+};
 const opened = async (name) => {
   await until(`${name} is open`, async () => (await text(".topbar .file")) === name);
   await ended();
@@ -76,7 +81,7 @@ const steps = {
     errors.splice(0, errors.length, ...errors.filter((e) => !/Content Security Policy|Failed to fetch/.test(e)));
   },
   async "a dropped program is run, with its set-up"() {
-    await page.click(".crumbs button >> nth=0");
+    await root();
     await drop([example("fanuc/flange_taps.json")]);
     await until("the set-up", async () => (await files()).includes("flange_taps.json"));
     await drop([example("fanuc/flange_taps.nc")]);
@@ -169,14 +174,14 @@ const steps = {
     await page.goto("about:blank");
     await page.goto(address);
     await opened(name);
-    await page.click(".crumbs button >> nth=0");
+    await root();
     await until("the files", async () => (await files()).includes("flange_taps.nc"));
     await until("the saved text", async () => /CHANGED HERE/.test(await text(".cm-content")));
     await shot("again");
   },
 };
 
-Object.assign(steps, more_steps({ page, address, examples, drop, opened, shot }));
+Object.assign(steps, more_steps({ page, address, examples, drop, opened, root, shot }));
 
 let passed = 0,
   failed = 0;

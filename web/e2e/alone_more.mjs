@@ -8,12 +8,11 @@ import { looks_at, must, until } from "./browser.mjs";
 const loop = (turns) =>
   `%\nO0009\nG21 G90\n#1=0\nWHILE[#1LT${turns}]DO1\nG1X[#1/1000]F1000\nG1Y1\nG1Y0\n#1=#1+1\nEND1\nM30\n%\n`;
 
-/// `address` of the page; `drop` puts files on it.
-export function more_steps({ page, address, examples, drop, opened, shot }) {
+/// `address` of the page; `drop` puts files on it, `root` shows its folder first.
+export function more_steps({ page, address, examples, drop, opened, root, shot }) {
   const { count, text, ended } = looks_at(() => page);
   const named = (name) => readFileSync(join(examples, name), "utf8");
   const files = () => page.locator(".file-list .file-name").allTextContents();
-  const root = () => page.click(".crumbs button >> nth=0");
   const convert_to = async (control) => {
     await page.locator('.files-verbs button[data-needs="program"]').last().click();
     await until("the choice of a control", () => count(".convert [name=to]"));
@@ -26,7 +25,7 @@ export function more_steps({ page, address, examples, drop, opened, shot }) {
   return {
     async "says what a cut lacks, and where"() {
       await root();
-      await drop([["no_tools.nc", named("haas/pocket.nc")]]);
+      await drop([["no_tools.nc", named("haas/pocket.nc").replace("T1 ", "T77 ")]]);
       await opened("no_tools.nc");
       await page.click("[data-tab=cut_tab]");
       await until("the form", () => count(".cut .tool-form.unknown"));
@@ -68,19 +67,19 @@ export function more_steps({ page, address, examples, drop, opened, shot }) {
       );
       await shot("compare");
       await page.keyboard.press("Escape");
-      await page.click("dialog.docked button.icon").catch(() => {});
+      await page.click("dialog.docked button.icon", { timeout: 3000 }).catch(() => {});
     },
     async "a conversion is answered while a long program runs, and finds what was just put here"() {
       await root();
       await drop([["short.nc", named("fanuc/rounded_plate.nc")]]);
       await opened("short.nc");
-      await drop([["long.nc", loop(100000000)]]);
+      await drop([["longer.nc", loop(100000000)]]);
       await until("it runs", () => count(".topbar button.stop"));
       const begin = Date.now();
       await convert_to("linuxcnc");
       await page.waitForTimeout(300);
       must(await count(".topbar button.stop"), "the run has ended");
-      await page.click("dialog.docked button.icon").catch(() => {});
+      await page.click("dialog.docked button.icon", { timeout: 3000 }).catch(() => {});
       await page.click(".topbar button.stop");
       await until("it has stopped", async () => !(await count(".topbar button.stop")));
       await until("the engine anew", () => count(".banner[hidden]"));
@@ -89,7 +88,7 @@ export function more_steps({ page, address, examples, drop, opened, shot }) {
     async "the view answers while a long conversion works"() {
       await page.click('.file-name:text-is("plate.nc")');
       await opened("plate.nc");
-      await drop([["slow.nc", loop(300000)]]);
+      await drop([["slow.nc", loop(30000)]]);
       await opened("slow.nc");
       await convert_to("linuxcnc");
       await until("it works", () => count(".convert-clock"));
@@ -135,7 +134,7 @@ export function more_steps({ page, address, examples, drop, opened, shot }) {
       must(/equal/.test(await text(".convert-told")), await text(".convert-told"));
       await shot("convert");
       await page.keyboard.press("Escape");
-      await page.click("dialog.docked button.icon").catch(() => {});
+      await page.click("dialog.docked button.icon", { timeout: 3000 }).catch(() => {});
     },
   };
 }
