@@ -33,6 +33,14 @@ bool moves_conversational(std::string_view line, char axis) {
   return false;
 }
 
+/// Returns true if the text begins with a name of at least three letters, such as TRANS, CYCLE800, DEF: its words are not those of a
+/// motion.
+bool names_statement(std::string_view text) {
+  std::size_t letters = 0;
+  while (letters < text.size() && is_capital(to_upper(text[letters]))) ++letters;
+  return letters >= 3 && !text.starts_with("ACP(") && !text.starts_with("ACN(");
+}
+
 /// Returns true if a line of a program with names moves along the axis: A30, B-5, C=DC(10). `A=` of a variable is no word of an axis.
 bool moves_named(std::string_view line, char axis, bool is_variable) {
   line = line.substr(0, line.find("GOTO"));  // a label may look like a word
@@ -46,6 +54,8 @@ bool moves_named(std::string_view line, char axis, bool is_variable) {
     if (c == ';') return false;
     if (c == '"' || c == '\'') quote = c;
     const char before = i == 0 ? ' ' : line[i - 1];
+    const bool begins_name = is_capital(to_upper(c)) && !is_capital(to_upper(before));
+    if (begins_name && names_statement(line.substr(i))) return false;
     const bool apart = !is_capital(to_upper(before)) && before != '_' && before != '$' && before != '[' && before != '(';
     if (!apart || to_upper(c) != axis || i + 1 >= line.size()) continue;
     const std::string_view rest = line.substr(i + 1);

@@ -33,6 +33,7 @@ TEST(AssumedAxes, OtherConversationalWordsAreNoAxes) {
 
 TEST(AssumedAxes, WordsOfBlocksWithNames) {
   EXPECT_EQ(assumed("sinumerik", "G0 X1 A30\nG1 C=DC(10) F100\n"), "AC");
+  EXPECT_EQ(assumed("sinumerik", "G1 C=ACP(10) F100 B=AC(1)\n"), "BC");
   EXPECT_EQ(assumed("sinumerik", "N10G1X1B-5\n"), "B");
 }
 
@@ -41,6 +42,7 @@ TEST(AssumedAxes, VariablesTextsAndCommentsAreNoAxes) {
   EXPECT_EQ(assumed("sinumerik", "PROC SUB(REAL A)\nA=5\n"), "");
   EXPECT_EQ(assumed("sinumerik", "; A30\nMSG(\"A30\")\nR1='HFF' R2='B1010'\nIF A==5 GOTOF C1\n$TC_DP1[1,1]=120\n"), "");
   EXPECT_EQ(assumed("sinumerik", "G1 X1 A3=0 B3=0.5 C3=1 F100\nC1: G1 X2\n"), "");
+  EXPECT_EQ(assumed("sinumerik", "TRANS X10 W5\nN20 AROT A30\n"), "");
   EXPECT_EQ(assumed("sinumerik", "TRANSA1\nCYCLE81(10,0,2,-5)\nR[A]=5\n"), "");
 }
 
