@@ -2,7 +2,7 @@
 // has built after `make web`; PART: only links to programs with this text in their names. Every link is opened on a
 // simple host, and one from the disk. Exit status 1 if one does not run.
 import { readFileSync, readdirSync } from "node:fs";
-import { join, relative } from "node:path";
+import { join, relative, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { browser, looks_at, must, until } from "./browser.mjs";
 import { simple_host } from "./simple_host.mjs";
@@ -47,7 +47,7 @@ for (const [files, { page: from, name }] of links)
     await runs(name);
   });
 await run("from the disk", async () => {
-  await page.goto(pathToFileURL(join(site, "examples/README.html")).href);
+  await page.goto(pathToFileURL(resolve(site, "examples/index.html")).href);
   const link = page.locator("a.open-in-kadr").first(),
     name = /: (.*)/.exec(await link.textContent())[1];
   must(/kadr\/kadr\.html#/.test(await link.getAttribute("href")), "it leads to the page that only a host shows");
