@@ -51,7 +51,7 @@ def refused(kadr, *arguments, word):
 # ---- invalid file names
 
 # Options of files that are only read; every other option with FILE in the help of a command is an output.
-ONLY_READ = {'--setup', '--setup-a', '--setup-b', '--baseline', '--part', '--tools', '--join', '--settings'}
+ONLY_READ = {'--setup', '--setup-a', '--setup-b', '--baseline', '--part', '--tools', '--join', '--settings', '--live'}
 WORDS_FOR_NONE = ('off', 'OFF', 'no', 'none', 'None', 'false')
 
 

@@ -140,7 +140,7 @@ TEST(setup_keys, what_the_controls_have) {
         H::probe, H::diameters, H::turning, H::machine_axes, H::kinematics}},
       {"gost", {H::nothing, H::work_offsets, H::diameters, H::turning, H::skip_question}},
       {"correctors", {H::nothing, H::correctors}},
-      {"sinumerik", {H::nothing, H::work_offsets, H::variables, H::kinematics}},
+      {"sinumerik", {H::nothing, H::work_offsets, H::variables, H::probe, H::kinematics}},
       {"heidenhain", {H::nothing, H::work_offsets, H::variables, H::probe, H::kinematics}},
       {"nct",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
