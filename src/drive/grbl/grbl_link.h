@@ -212,7 +212,6 @@ class GrblLink {
   LineTracker tracker_;
   double now_ = 0;
   std::string partial_;             // received bytes of an unfinished line
-  bool skips_line_ = false;         // an overlong line is being skipped
   std::string urgent_;              // real-time bytes to send
   std::deque<std::string> output_;  // lines to send, with their ends
   std::deque<Sent> in_flight_;      // lines that are sent and not answered
