@@ -34,6 +34,7 @@ def connect(scheduler: str, scheduler_file: Optional[Path]) -> tuple[Any, Any]:
     except ImportError:
         raise CannotWork('a cluster needs Dask: python3-distributed') from None
     logging.getLogger('distributed').setLevel(logging.ERROR)   # that a busy computer answers late is no message for the user
+    logging.getLogger('asyncio').setLevel(logging.CRITICAL)   # nor that Dask gives up a wait of its own: what concerns a batch arrives with its future
     where = {'scheduler_file': str(scheduler_file)} if scheduler_file else {'address': scheduler}
     if scheduler_file and not scheduler_file.is_file():
         raise CannotWork(f'{scheduler_file}: no such file')
