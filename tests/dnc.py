@@ -5,6 +5,7 @@
 """
 import os
 import pty
+import re
 import select
 import signal
 import subprocess
@@ -17,6 +18,7 @@ import harness
 from harness import expect
 
 DC1, DC2, DC3, DC4, NAK = 0x11, 0x12, 0x13, 0x14, 0x15
+S2C42 = '%\nN1 G0 X10 Y5\nN2 G1 X20 F600\nN3 M02\n'
 PROGRAM = 'O1234\n' + ''.join(f'N{n} G1 X{n % 50}. Y{n % 7}. F200.\n' for n in range(1, 80)) + 'M30\n'
 
 
@@ -198,6 +200,40 @@ def check_a_server_says_what_was_changed_at_the_control(kadr):
     expect('equal' in versions[1] and 'F200' not in versions[1], f'a comment: {versions[1]}')
     expect('F200' in versions[2] and 'F300' in versions[2], f'a feed: {versions[2]}')
     expect('equal' not in versions[3] and '5 | 5' in versions[3], f'a way: {versions[3]}')
+
+
+def printed_commands(page):
+    """Returns the complete commands that a page prints, in their order: without places to fill in, except the port."""
+    all_of_page = re.findall(r'(?m)(?:^    |`)(kadr [^`\n]+)', (harness.ROOT / 'docs' / page).read_text(encoding='utf-8'))
+    words = [command.replace('ПОРТ', 'PORT').split()[1:] for command in all_of_page]
+    return [w for w in words if len(w) > 1 and not any('…' in word or (word.isupper() and word.isalpha() and word != 'PORT') or word.endswith('...') for word in w)]
+
+
+def check_the_printed_commands(kadr):
+    """The first days of docs/dnc.md, step by step, in both languages: what a step writes, the next one reads."""
+    for page in ('dnc.md', 'ru/dnc.md'):
+        folder = kadr.folder / page.replace('/', '-')
+        folder.mkdir()
+        (folder / 'part.nc').write_text(S2C42)
+        done = []
+        for words in printed_commands(page):
+            control = Control()
+            process = subprocess.Popen(kadr.command([control.port if w == 'PORT' else w for w in words]), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            if words[:2] == ['dnc', 'receive']:
+                until(lambda c=control: DC1 in [b & 0x7f for b in c.got], 'DC1')
+                control.punch('%\nO1234\nG21 G90 G54\nG0 X1. Y2.\nM30\n%\n')
+            elif words[:2] == ['dnc', 'send']:
+                time.sleep(0.5)
+                control.put(DC1)
+            out, err = process.communicate(timeout=harness.TIME_LIMIT_S)
+            control.end()
+            expect(process.returncode == 0, f'{page}: kadr {" ".join(words)}: {out}{err}')
+            if words[:2] == ['dnc', 'send'] and 'fanuc' in words:  # received again
+                (folder / 'received.nc').write_text(control.text())
+            if words[:2] == ['tape', 'encode']:
+                (folder / 'old.tape').write_bytes((folder / 'part.tape').read_bytes())
+            done.append(' '.join(words[:2]))
+        expect(sorted(done) == sorted(['dnc receive', 'check O1234.nc', 'dnc send', 'diff O1234.nc', 'check part.nc', 'tape encode', 'tape decode', 'dnc send']), f'{page}: {done}')
 
 
 def check_wrong_usage(kadr):
