@@ -5,7 +5,6 @@
 """
 import os
 import pty
-import re
 import select
 import signal
 import subprocess
@@ -202,13 +201,6 @@ def check_a_server_says_what_was_changed_at_the_control(kadr):
     expect('equal' not in versions[3] and '5 | 5' in versions[3], f'a way: {versions[3]}')
 
 
-def printed_commands(page):
-    """Returns the complete commands that a page prints, in their order: without places to fill in, except the port."""
-    all_of_page = re.findall(r'(?m)(?:^    |`)(kadr [^`\n]+)', (harness.ROOT / 'docs' / page).read_text(encoding='utf-8'))
-    words = [command.replace('ПОРТ', 'PORT').split()[1:] for command in all_of_page]
-    return [w for w in words if len(w) > 1 and not any('…' in word or (word.isupper() and word.isalpha() and word != 'PORT') or word.endswith('...') for word in w)]
-
-
 def check_the_printed_commands(kadr):
     """The first days of docs/dnc.md, step by step, in both languages: what a step writes, the next one reads."""
     for page in ('dnc.md', 'ru/dnc.md'):
@@ -216,7 +208,7 @@ def check_the_printed_commands(kadr):
         folder.mkdir()
         (folder / 'part.nc').write_text(S2C42)
         done = []
-        for words in printed_commands(page):
+        for words in harness.printed_commands(page):
             control = Control()
             process = subprocess.Popen(kadr.command([control.port if w == 'PORT' else w for w in words]), cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
             if words[:2] == ['dnc', 'receive']:

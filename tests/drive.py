@@ -421,6 +421,24 @@ def check_hold_acts_at_once(kadr):
     expect(min(times) < 0.020, f'{times}')
 
 
+def check_the_printed_commands(kadr):
+    """The first day of docs/drive.md, in both languages."""
+    kadr.file('part.nc', 'G21 G90 G94 G17 G54\nM3 S500\nG1 F1500\n' + ''.join(f'G1 X{n % 5} Y{n % 3}\n' for n in range(130)) + 'M5\nM30\n')
+    for page in ('drive.md', 'ru/drive.md'):
+        done = []
+        for words in harness.printed_commands(page):
+            if words[0] != 'drive':
+                continue
+            machine = Machine()
+            words = [machine.port if w == 'PORT' else str(harness.ROOT / w) if w.startswith('examples/') else w for w in words]
+            run = kadr.call(*words, input='go\n')
+            lines, _ = machine.end()
+            expect(run.returncode == 0, f'{page}: kadr {" ".join(words)}: {run.stdout}{run.stderr}')
+            expect(bool(lines) == ('--go' in words), f'{page}: {words} {lines}')
+            done += [word for word in words if word.startswith('--')] or ['proof']
+        expect(sorted(set(done)) == ['--control', '--from', '--go', '--port', '--settings', '--status'], f'{page}: {done}')
+
+
 def check_russian(kadr):
     kadr.file('p.nc', PROGRAM)
     machine = Machine()

@@ -24,6 +24,7 @@ import argparse
 import concurrent.futures
 import fnmatch
 import os
+import re
 import subprocess
 import tempfile
 import threading
@@ -46,6 +47,14 @@ def expect(holds, why):
     """Fails the check unless the condition holds."""
     if not holds:
         raise Failure(why)
+
+
+def printed_commands(page):
+    """Returns the complete commands that a page of docs/ prints, in their order, as words without `kadr`. Commands with a place to fill in
+    are left out, except the port, which is `PORT` in both languages."""
+    all_of_page = re.findall(r'(?m)(?:^    (?:\$ )?|`)kadr ([^`\n]+)', (ROOT / 'docs' / page).read_text(encoding='utf-8'))
+    words = [command.replace('ПОРТ', 'PORT').split() for command in all_of_page]
+    return [w for w in words if len(w) > 1 and not any('…' in word or (word.isupper() and word.isalpha() and word != 'PORT') or word.endswith('...') for word in w)]
 
 
 # ---- counting
