@@ -13,6 +13,7 @@ from .work import Item, Job
 CONNECT_SECONDS = 30
 MOST_BATCH = 1024     # programs: some seconds, which a worker that dies has lost
 IN_FLIGHT = 3         # batches for each thread of the workers: one at work, the others on the way
+MOST_ON_THE_WAY = 1 << 18   # programs in all batches that are sent: scheduler and client hold their texts, some 650 MB
 SILENT_SECONDS = 120  # without any worker for so long the run ends; the next one goes on
 
 own = threading.local()   # in a worker: the child of each thread
@@ -61,7 +62,8 @@ class Cluster:
 
     def batch_programs(self, todo: int) -> int:
         """Returns how many programs a batch has: scheduler and client need some milliseconds for each, a worker for each program."""
-        return max(1, min(MOST_BATCH, todo // (20 * max(1, self.threads()))))
+        threads = max(1, self.threads())
+        return max(1, min(MOST_BATCH, todo // (20 * threads), MOST_ON_THE_WAY // (IN_FLIGHT * threads)))
 
     def threads(self) -> int:
         return sum(self.client.nthreads().values())
